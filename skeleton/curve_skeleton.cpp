@@ -1,0 +1,103 @@
+#include <marrow/curve_skeleton.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace marrow {
+
+namespace {
+
+/// Edges at every node, as one array with offsets.
+struct Incidence {
+  std::vector<std::uint32_t> offset, edge;
+
+  explicit Incidence(const CurveSkeleton& s) : offset(s.nodes.size() + 1), edge(2 * s.edges.size()) {
+    for (const auto& e : s.edges) ++offset[e[0] + 1], ++offset[e[1] + 1];
+    std::partial_sum(offset.begin(), offset.end(), offset.begin());
+    std::vector<std::uint32_t> next(offset.begin(), offset.end() - 1);
+    for (std::uint32_t i = 0; i < s.edges.size(); ++i)
+      for (const NodeId n : s.edges[i]) edge[next[n]++] = i;
+  }
+
+  std::uint32_t degree(NodeId n) const { return offset[n + 1] - offset[n]; }
+};
+
+NodeId other_end(const CurveSkeleton::Edge& e, NodeId n) { return e[0] == n ? e[1] : e[0]; }
+
+}  // namespace
+
+std::vector<int> degrees(const CurveSkeleton& skeleton) {
+  std::vector<int> degree(skeleton.nodes.size(), 0);
+  for (const auto& e : skeleton.edges) ++degree[e[0]], ++degree[e[1]];
+  return degree;
+}
+
+int component_count(const CurveSkeleton& skeleton) {
+  std::vector<NodeId> parent(skeleton.nodes.size());
+  std::iota(parent.begin(), parent.end(), NodeId{0});
+  const auto root = [&](NodeId n) {
+    while (parent[n] != n) n = parent[n] = parent[parent[n]];
+    return n;
+  };
+  auto count = static_cast<int>(skeleton.nodes.size());
+  for (const auto& e : skeleton.edges) {
+    const NodeId a = root(e[0]), b = root(e[1]);
+    if (a != b) parent[std::max(a, b)] = std::min(a, b), --count;
+  }
+  return count;
+}
+
+int cycle_count(const CurveSkeleton& skeleton) {
+  return static_cast<int>(skeleton.edges.size()) - static_cast<int>(skeleton.nodes.size()) +
+         component_count(skeleton);
+}
+
+int leaf_count(const CurveSkeleton& skeleton) {
+  const auto degree = degrees(skeleton);
+  return static_cast<int>(std::count(degree.begin(), degree.end(), 1));
+}
+
+int joint_count(const CurveSkeleton& skeleton) {
+  const auto degree = degrees(skeleton);
+  return static_cast<int>(std::count_if(degree.begin(), degree.end(), [](int d) { return d > 2; }));
+}
+
+double total_length(const CurveSkeleton& skeleton) {
+  double sum = 0;
+  for (const auto& e : skeleton.edges)
+    sum += distance(skeleton.nodes[e[0]].position, skeleton.nodes[e[1]].position);
+  return sum;
+}
+
+std::vector<Branch> branches(const CurveSkeleton& skeleton) {
+  const Incidence at(skeleton);
+  std::vector<bool> used(skeleton.edges.size(), false);
+  std::vector<Branch> result;
+
+  const auto walk = [&](NodeId from, std::uint32_t first) {
+    Branch branch{{from}};
+    for (std::uint32_t e = first;;) {
+      used[e] = true;
+      const NodeId n = other_end(skeleton.edges[e], branch.nodes.back());
+      branch.nodes.push_back(n);
+      if (n == from || at.degree(n) != 2) break;
+      const std::uint32_t a = at.edge[at.offset[n]], b = at.edge[at.offset[n] + 1];
+      e = a == e ? b : a;
+    }
+    result.push_back(std::move(branch));
+  };
+
+  for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
+    for (const NodeId n : skeleton.edges[e])
+      if (!used[e] && at.degree(n) != 2) walk(n, e);
+  // What is left are cycles without a joint, and branches whose ends both lie later in the list.
+  for (NodeId n = 0; n < skeleton.nodes.size(); ++n)
+    if (at.degree(n) != 2)
+      for (std::uint32_t k = at.offset[n]; k < at.offset[n + 1]; ++k)
+        if (!used[at.edge[k]]) walk(n, at.edge[k]);
+  for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
+    if (!used[e]) walk(skeleton.edges[e][0], e);
+  return result;
+}
+
+}  // namespace marrow

@@ -90,11 +90,7 @@ std::vector<Branch> branches(const CurveSkeleton& skeleton) {
   for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
     for (const NodeId n : skeleton.edges[e])
       if (!used[e] && at.degree(n) != 2) walk(n, e);
-  // What is left are cycles without a joint, and branches whose ends both lie later in the list.
-  for (NodeId n = 0; n < skeleton.nodes.size(); ++n)
-    if (at.degree(n) != 2)
-      for (std::uint32_t k = at.offset[n]; k < at.offset[n + 1]; ++k)
-        if (!used[at.edge[k]]) walk(n, at.edge[k]);
+  // What is left are cycles without a joint.
   for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
     if (!used[e]) walk(skeleton.edges[e][0], e);
   return result;

@@ -20,16 +20,39 @@ if(MARROW_SANITIZE)
   target_link_options(marrow_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# FILE_SET came with CMake 3.23; Ubuntu 22.04 has 3.22, where the headers are a folder.
+set(marrow_has_file_sets OFF)
+if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.23 AND NOT MARROW_WITHOUT_FILE_SETS)
+  set(marrow_has_file_sets ON)
+endif()
+
 # marrow_library(NAME HEADERS... SOURCES...): one layer of the library, `marrow::NAME`.
 function(marrow_library name)
   cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES" ${ARGN})
   add_library(marrow_${name} STATIC ${ARG_SOURCES})
   add_library(marrow::${name} ALIAS marrow_${name})
-  set_target_properties(marrow_${name} PROPERTIES EXPORT_NAME ${name})
-  set_target_properties(marrow_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(marrow_${name} PROPERTIES
+    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON MARROW_HEADERS "${ARG_HEADERS}")
   target_compile_features(marrow_${name} PUBLIC cxx_std_20)
   target_link_libraries(marrow_${name} PRIVATE $<BUILD_INTERFACE:marrow_options>)
-  target_sources(marrow_${name} PUBLIC
-    FILE_SET HEADERS BASE_DIRS include FILES ${ARG_HEADERS})
   target_include_directories(marrow_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  if(marrow_has_file_sets)
+    target_sources(marrow_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${ARG_HEADERS})
+  else()
+    target_include_directories(marrow_${name} PUBLIC
+      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  endif()
+endfunction()
+
+# marrow_install_library(NAME): installs and exports the layer with its headers.
+function(marrow_install_library name)
+  if(marrow_has_file_sets)
+    install(TARGETS marrow_${name} EXPORT marrowTargets FILE_SET HEADERS)
+  else()
+    install(TARGETS marrow_${name} EXPORT marrowTargets)
+    get_property(headers TARGET marrow_${name} PROPERTY MARROW_HEADERS)
+    list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/${name}/)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/marrow)
+  endif()
 endfunction()

@@ -6,7 +6,7 @@ set(marrow_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/marrow)
 foreach(layer IN ITEMS engine raster skeleton)
   marrow_install_library(${layer})
 endforeach()
-install(TARGETS marrow EXPORT marrowTargets)
+install(TARGETS marrow_all EXPORT marrowTargets)
 install(EXPORT marrowTargets NAMESPACE marrow:: DESTINATION ${marrow_cmake_dir})
 
 configure_package_config_file(

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Builds and runs the README's C++ program twice: against an installed Marrow (find_package), and with
+# Marrow's sources in the same build (add_subdirectory). Needs a built release preset.
+
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cd "$root"
+
+marrow=$root/build/release/bin/marrow
+work=$root/build/consumer
+rm -rf "$work"
+mkdir -p "$work"
+"$marrow" make torus -o "$work/shape.obj"
+
+# consume NAME CMAKE-ARGUMENT...: builds tests/consumer, runs it, and looks at what it wrote.
+consume() {
+  local name=$1
+  shift
+  say "the README's program by $name"
+  quietly "$work/$name.configure.log" cmake -S tests/consumer -B "$work/$name" -G Ninja "$@"
+  quietly "$work/$name.build.log" cmake --build "$work/$name"
+  (cd "$work/$name" && ./consumer "$work/shape.obj" skeleton.obj)
+  "$marrow" extract "$work/shape.obj" -o "$work/$name/expected.obj" --quiet
+  cmp "$work/$name/skeleton.obj" "$work/$name/expected.obj"
+}
+
+quietly "$work/install.log" cmake --install build/release --prefix "$work/prefix"
+consume find_package -DCMAKE_PREFIX_PATH="$work/prefix"
+consume add_subdirectory -DMARROW_SOURCE="$root"

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Format, names and common slips of all C++ sources and scripts; needs scripts/setup.sh --dev.
+
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cd "$root"
+
+say "clang-format"
+git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run --Werror
+
+say "shellcheck"
+git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source-path=SCRIPTDIR
+
+say "clang-tidy"
+quietly build/release.configure.log cmake --preset release
+git ls-files -z '*.cpp' |
+  xargs -0 -n 1 -P "$jobs" clang-tidy -p build/release --quiet 2>build/clang-tidy.log ||
+  die "clang-tidy found what is above (to repeat it on one file: clang-tidy -p build/release FILE)"

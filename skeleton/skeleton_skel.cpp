@@ -1,0 +1,120 @@
+// The file of the paper's authors, which cinolib calls LIVESU2012.
+#include <algorithm>
+#include <utility>
+
+#include "skeleton_text_detail.hpp"
+
+namespace marrow::skeleton_detail {
+
+namespace {
+
+constexpr std::string_view kHeader = "ID Cx Cy Cz RADIUS #NEIGHBORS NEIGHBORS_LIST";
+constexpr std::size_t kLeastRow = sizeof "0 0 0 0 1 0" - 1;
+
+/// An edge as it is listed: the row that lists it and the id that it names.
+struct Link {
+  NodeId from;
+  std::int64_t to;
+  std::size_t line;
+};
+
+struct Rows {
+  CurveSkeleton skeleton;
+  std::vector<std::pair<std::int64_t, NodeId>> ids;  ///< ids of the file may have gaps
+  std::vector<Link> links;
+};
+
+void read_header(Lines& lines) {
+  lines.expect("the header '" + std::string(kHeader) + "'");
+  std::string first;
+  for (const auto word : lines.words()) {
+    if (!first.empty()) first += ' ';
+    first += word;
+  }
+  if (first != kHeader) lines.fail("the first line is not '" + std::string(kHeader) + "'");
+}
+
+void read_row(const Lines& lines, Rows& rows) {
+  const auto node = static_cast<NodeId>(rows.skeleton.nodes.size());
+  rows.ids.emplace_back(lines.integer(0), node);
+  rows.skeleton.nodes.push_back(
+      {{lines.number(1), lines.number(2), lines.number(3)}, lines.radius(4)});
+  const std::uint64_t neighbours = lines.count(5);
+  if (neighbours != lines.words().size() - 6)
+    lines.fail("the line claims " + std::to_string(neighbours) + " neighbours and lists " +
+               std::to_string(lines.words().size() - 6));
+  for (std::size_t i = 6; i < lines.words().size(); ++i)
+    rows.links.push_back({node, lines.integer(i), lines.line()});
+}
+
+void connect(Rows& rows, const std::string& name) {
+  auto& ids = rows.ids;
+  std::sort(ids.begin(), ids.end());
+  const auto same_id = [](const auto& a, const auto& b) { return a.first == b.first; };
+  if (const auto twice = std::adjacent_find(ids.begin(), ids.end(), same_id); twice != ids.end())
+    fail(name, 2, "the id " + std::to_string(twice->first) + " is given twice");
+  for (const Link& link : rows.links) {
+    const auto found = std::lower_bound(ids.begin(), ids.end(), std::pair{link.to, NodeId{0}});
+    if (found == ids.end() || found->first != link.to)
+      fail(name, link.line, "neighbour " + std::to_string(link.to) + " is no id of this file");
+    if (found->second == link.from) fail(name, link.line, "an edge from a node to itself");
+    rows.skeleton.edges.push_back({link.from, found->second});
+  }
+}
+
+/// Neighbours of every node, in the order of their ids.
+std::vector<std::vector<NodeId>> neighbours_of(const CurveSkeleton& skeleton) {
+  std::vector<std::vector<NodeId>> result(skeleton.nodes.size());
+  for (const auto& e : skeleton.edges) {
+    result[e[0]].push_back(e[1]);
+    result[e[1]].push_back(e[0]);
+  }
+  for (auto& list : result) std::sort(list.begin(), list.end());
+  return result;
+}
+
+}  // namespace
+
+std::string format_skel(const CurveSkeleton& skeleton) {
+  std::string text(kHeader);
+  text += '\n';
+  append(text, std::uint64_t{skeleton.nodes.size()});
+  text += '\n';
+  const auto neighbours = neighbours_of(skeleton);
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    append(text, std::uint64_t{i});
+    text += ' ';
+    append(text, skeleton.nodes[i], " ");
+    text += ' ';
+    append(text, std::uint64_t{neighbours[i].size()});
+    text += ' ';  // the original ends every number with a blank, the last one too
+    for (const NodeId n : neighbours[i]) {
+      append(text, std::uint64_t{n});
+      text += ' ';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+CurveSkeleton parse_skel(std::string_view bytes, const std::string& name) {
+  Lines lines(bytes, name);
+  read_header(lines);
+  lines.expect("the count of nodes");
+  if (lines.words().size() != 1) lines.fail("the second line is not the count of nodes");
+  const std::uint64_t count = lines.count(0);
+  if (count > lines.bytes_left() / kLeastRow + 1)
+    lines.fail("the file claims " + std::to_string(count) + " nodes and is too short for them");
+  Rows rows;
+  rows.skeleton.nodes.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    lines.expect("node " + std::to_string(i + 1) + " of " + std::to_string(count));
+    read_row(lines, rows);
+  }
+  if (lines.next()) lines.fail("the file goes on after its " + std::to_string(count) + " nodes");
+  connect(rows, name);
+  tidy_edges(rows.skeleton);
+  return std::move(rows.skeleton);
+}
+
+}  // namespace marrow::skeleton_detail

@@ -1,0 +1,224 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <marrow/error.hpp>
+#include <marrow/file_io.hpp>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace marrow {
+
+namespace {
+
+std::string reason(int error) { return std::strerror(error); }
+
+[[noreturn]] void cannot_read(const std::string& name, const std::string& why) {
+  throw Error(ErrorKind::CannotRead, name + ": cannot be read: " + why);
+}
+
+[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
+  throw Error(ErrorKind::CannotWrite, path + ": cannot be written: " + why);
+}
+
+[[noreturn]] void too_large(const std::string& name, std::uint64_t max_bytes) {
+  throw Error(ErrorKind::Limit, name + ": is larger than the limit of " +
+                                    std::to_string(max_bytes) +
+                                    " bytes; raise the limit or simplify the file");
+}
+
+/// An open file that closes itself. close() tells whether the bytes have arrived: some file
+/// systems say so only there.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ > STDERR_FILENO) ::close(fd_);
+  }
+
+  int get() const { return fd_; }
+  bool is_open() const { return fd_ >= 0; }
+  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+ private:
+  int fd_;
+};
+
+/// Appends what is left in `fd` to `bytes`; `expected` is its size as far as it is known.
+void read_all(int fd, const std::string& name, std::uint64_t expected, std::uint64_t max_bytes,
+              std::string& bytes) {
+  constexpr std::uint64_t kFirstPiece = 1 << 16;
+  // One byte more than expected, so that the end is seen without growing.
+  std::uint64_t room = std::max(kFirstPiece, expected + 1);
+  std::uint64_t size = 0;
+  for (;;) {
+    if (size == bytes.size()) {
+      bytes.resize(std::min(size + room, max_bytes + 1));
+      room = bytes.size();
+    }
+    const ssize_t got = ::read(fd, bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) cannot_read(name, reason(errno));
+    if (got == 0) break;
+    size += static_cast<std::uint64_t>(got);
+    if (size > max_bytes) too_large(name, max_bytes);
+  }
+  bytes.resize(size);
+}
+
+/// 0, or the reason why not all has been written.
+int write_all(int fd, std::string_view bytes) {
+  constexpr std::size_t kLargestPiece = std::size_t{1} << 30;
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(fd, bytes.data(), std::min(bytes.size(), kLargestPiece));
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return 0;
+}
+
+void write_in_place(const std::string& path, std::string_view bytes) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOCTTY));
+  if (!file.is_open()) cannot_write(path, reason(errno));
+  if (const int error = write_all(file.get(), bytes)) cannot_write(path, reason(error));
+  if (!file.close()) cannot_write(path, reason(errno));
+}
+
+/// The folder of `path` with its last slash; empty for the current folder.
+std::string folder_of(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
+
+/// The end of a chain of links; it need not exist.
+struct Destination {
+  std::string path;
+  bool is_open_file = false;  ///< links in /proc stand for open files: no names to rename to
+};
+
+Destination follow_links(const std::string& path) {
+  constexpr int kMaxLinks = 40;
+  Destination at{path};
+  for (int i = 0; i < kMaxLinks; ++i) {
+    at.is_open_file = at.path.starts_with("/proc/");
+    if (at.is_open_file) return at;
+    char target[4096];
+    const ssize_t size = ::readlink(at.path.c_str(), target, sizeof target);
+    if (size < 0) return at;
+    const std::string next(target, static_cast<std::size_t>(size));
+    at.path = next.starts_with('/') ? next : folder_of(at.path) + next;
+  }
+  cannot_write(path, reason(ELOOP));
+}
+
+/// A new file beside the target, removed again unless it has been renamed to it.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& target) : target_(target) {
+    static std::atomic<unsigned> counter{0};
+    constexpr int kMaxTries = 100;
+    for (int i = 0; i < kMaxTries && fd_ < 0; ++i) {
+      path_ = folder_of(target) + ".marrow-" + std::to_string(::getpid()) + "-" +
+              std::to_string(counter++) + ".tmp";
+      fd_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (fd_ < 0 && errno != EEXIST) break;
+    }
+    error_ = fd_ < 0 ? errno : 0;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (fd_ >= 0) ::close(fd_);
+    if (!path_.empty() && error_ == 0 && !renamed_) ::unlink(path_.c_str());
+  }
+
+  void write(std::string_view bytes) {
+    fail_if(error_);
+    fail_if(write_all(fd_, bytes));
+  }
+  void copy_permissions_of(const struct stat& existing) {
+    if (error_ == 0 && ::fchmod(fd_, existing.st_mode & 07777) != 0) fail_if(errno);
+  }
+  void rename_to_target() {
+    if (::close(std::exchange(fd_, -1)) != 0) fail_if(errno);
+    if (::rename(path_.c_str(), target_.c_str()) != 0) fail_if(errno);
+    renamed_ = true;
+  }
+
+ private:
+  void fail_if(int error) const {
+    if (error != 0) cannot_write(target_, reason(error));
+  }
+
+  std::string target_, path_;
+  int fd_ = -1;
+  int error_ = 0;
+  bool renamed_ = false;
+};
+
+void replace_file(const std::string& target, const struct stat* existing, std::string_view bytes) {
+  // Renaming would replace a file that says "read only" without asking.
+  if (existing && ::access(target.c_str(), W_OK) != 0) cannot_write(target, reason(errno));
+  TemporaryFile file(target);
+  if (existing) file.copy_permissions_of(*existing);
+  file.write(bytes);
+  file.rename_to_target();
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::uint64_t max_bytes) {
+  const bool standard_input = path == "-";
+  const std::string name = standard_input ? "standard input" : path;
+  Descriptor file(standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) cannot_read(name, reason(errno));
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) cannot_read(name, reason(errno));
+  if (S_ISDIR(status.st_mode)) cannot_read(name, "it is a folder");
+  max_bytes = std::min(max_bytes, std::uint64_t{1} << 62);
+  const auto size = S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : 0;
+  if (size > max_bytes) too_large(name, max_bytes);
+  std::string bytes;
+  try {
+    read_all(file.get(), name, size, max_bytes, bytes);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::Limit, name + ": is larger than the memory; simplify the file");
+  } catch (const std::length_error&) {
+    throw Error(ErrorKind::Limit, name + ": is larger than the memory; simplify the file");
+  }
+  return bytes;
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  // Opening /dev/stdout again would write from the start of a file that others append to.
+  if (path == "-" || path == "/dev/stdout") {
+    if (const int error = write_all(STDOUT_FILENO, bytes))
+      cannot_write("standard output", reason(error));
+    return;
+  }
+  if (path.empty()) cannot_write("''", "the name is empty");
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) cannot_write(path, "it is a folder");
+  if (exists && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
+  const Destination destination = follow_links(path);
+  if (destination.is_open_file) return write_in_place(path, bytes);
+  replace_file(destination.path, exists ? &status : nullptr, bytes);
+}
+
+std::string extension_of(const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos || dot == 0) return "";
+  std::string extension = name.substr(dot + 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+}  // namespace marrow

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -116,6 +117,47 @@ Destination follow_links(const std::string& path) {
   cannot_write(path, reason(ELOOP));
 }
 
+/// Names of temporary files where a signal handler can read them: no locks, no heap. More writers
+/// than slots, or a longer name, and a file stays behind if a signal ends the program right then.
+class TemporaryNames {
+ public:
+  TemporaryNames() = default;
+
+  /// The slot that keeps `path`; none if all are taken.
+  int keep(const std::string& path) noexcept {
+    for (int i = 0; i < kSlots && path.size() < kLongest; ++i) {
+      State expected = State::Free;
+      Slot& slot = slots_[static_cast<std::size_t>(i)];
+      if (!slot.state.compare_exchange_strong(expected, State::Filling)) continue;
+      std::memcpy(slot.path, path.c_str(), path.size() + 1);
+      slot.state = State::Kept;
+      return i;
+    }
+    return -1;
+  }
+  void forget(int slot) noexcept {
+    if (slot >= 0) slots_[static_cast<std::size_t>(slot)].state = State::Free;
+  }
+  void remove_all() noexcept {
+    for (Slot& slot : slots_)
+      if (slot.state == State::Kept) ::unlink(slot.path);
+  }
+
+ private:
+  static constexpr int kSlots = 8;
+  static constexpr std::size_t kLongest = 4096;
+  enum class State { Free, Filling, Kept };
+  struct Slot {
+    std::atomic<State> state{State::Free};
+    char path[kLongest] = {};
+  };
+  static_assert(std::atomic<State>::is_always_lock_free);
+
+  std::array<Slot, kSlots> slots_;
+};
+
+TemporaryNames temporary_names;
+
 /// A new file beside the target, removed again unless it has been renamed to it.
 class TemporaryFile {
  public:
@@ -125,16 +167,19 @@ class TemporaryFile {
     for (int i = 0; i < kMaxTries && fd_ < 0; ++i) {
       path_ = folder_of(target) + ".marrow-" + std::to_string(::getpid()) + "-" +
               std::to_string(counter++) + ".tmp";
+      slot_ = temporary_names.keep(path_);
       fd_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (fd_ < 0 && errno != EEXIST) break;
+      error_ = fd_ < 0 ? errno : 0;
+      if (fd_ < 0) temporary_names.forget(std::exchange(slot_, -1));
+      if (error_ != EEXIST) break;
     }
-    error_ = fd_ < 0 ? errno : 0;
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
     if (fd_ >= 0) ::close(fd_);
     if (!path_.empty() && error_ == 0 && !renamed_) ::unlink(path_.c_str());
+    temporary_names.forget(slot_);
   }
 
   void write(std::string_view bytes) {
@@ -158,6 +203,7 @@ class TemporaryFile {
   std::string target_, path_;
   int fd_ = -1;
   int error_ = 0;
+  int slot_ = -1;
   bool renamed_ = false;
 };
 
@@ -210,6 +256,8 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (destination.is_open_file) return write_in_place(path, bytes);
   replace_file(destination.path, exists ? &status : nullptr, bytes);
 }
+
+void remove_temporaries() noexcept { temporary_names.remove_all(); }
 
 std::string extension_of(const std::string& path) {
   const std::string name = path.substr(path.rfind('/') + 1);

@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -183,4 +184,26 @@ TEST_CASE("extensions are lower case and without a dot", "[file_io]") {
   CHECK(extension_of("a/.obj") == "");
   CHECK(extension_of("dot.") == "");
   CHECK(extension_of("-") == "");
+}
+
+TEST_CASE("a signal in the middle of writing leaves no temporary file", "[file_io]") {
+  const Folder folder;
+  const std::string target = folder / "large";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGTERM, [](int) {
+      remove_temporaries();
+      ::_exit(3);
+    });
+    const std::string bytes(std::size_t{1} << 24, 'x');
+    for (;;) write_file(target, bytes);
+  }
+  REQUIRE(child > 0);
+  while (folder.file_count() == 0) ::usleep(100);
+  ::kill(child, SIGTERM);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 3);
+  CHECK(folder.file_count() == (fs::exists(target) ? 1 : 0));
 }

@@ -18,6 +18,10 @@ std::string read_file(const std::string& path, std::uint64_t max_bytes = std::ui
 /// standard output. Throws Error: CannotWrite, and leaves nothing behind.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Removes the temporary files of every write_file() under way in this process. For programs that
+/// are told to end: safe in a signal handler, and only sensible right before _exit().
+void remove_temporaries() noexcept;
+
 /// The extension of `path` in lower case without its dot: "a/B.OBJ" -> "obj"; empty if there is
 /// none, also for hidden files such as ".obj".
 std::string extension_of(const std::string& path);

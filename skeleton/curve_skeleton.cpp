@@ -11,12 +11,13 @@ namespace {
 struct Incidence {
   std::vector<std::uint32_t> offset, edge;
 
-  explicit Incidence(const CurveSkeleton& s) : offset(s.nodes.size() + 1), edge(2 * s.edges.size()) {
-    for (const auto& e : s.edges) ++offset[e[0] + 1], ++offset[e[1] + 1];
+  Incidence(std::size_t nodes, std::span<const CurveSkeleton::Edge> edges)
+      : offset(nodes + 1), edge(2 * edges.size()) {
+    for (const auto& e : edges) ++offset[e[0] + 1], ++offset[e[1] + 1];
     std::partial_sum(offset.begin(), offset.end(), offset.begin());
     std::vector<std::uint32_t> next(offset.begin(), offset.end() - 1);
-    for (std::uint32_t i = 0; i < s.edges.size(); ++i)
-      for (const NodeId n : s.edges[i]) edge[next[n]++] = i;
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+      for (const NodeId n : edges[i]) edge[next[n]++] = i;
   }
 
   std::uint32_t degree(NodeId n) const { return offset[n + 1] - offset[n]; }
@@ -70,15 +71,19 @@ double total_length(const CurveSkeleton& skeleton) {
 }
 
 std::vector<Branch> branches(const CurveSkeleton& skeleton) {
-  const Incidence at(skeleton);
-  std::vector<bool> used(skeleton.edges.size(), false);
+  return branches(skeleton.nodes.size(), skeleton.edges);
+}
+
+std::vector<Branch> branches(std::size_t nodes, std::span<const CurveSkeleton::Edge> edges) {
+  const Incidence at(nodes, edges);
+  std::vector<bool> used(edges.size(), false);
   std::vector<Branch> result;
 
   const auto walk = [&](NodeId from, std::uint32_t first) {
     Branch branch{{from}};
     for (std::uint32_t e = first;;) {
       used[e] = true;
-      const NodeId n = other_end(skeleton.edges[e], branch.nodes.back());
+      const NodeId n = other_end(edges[e], branch.nodes.back());
       branch.nodes.push_back(n);
       if (n == from || at.degree(n) != 2) break;
       const std::uint32_t a = at.edge[at.offset[n]], b = at.edge[at.offset[n] + 1];
@@ -87,12 +92,12 @@ std::vector<Branch> branches(const CurveSkeleton& skeleton) {
     result.push_back(std::move(branch));
   };
 
-  for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
-    for (const NodeId n : skeleton.edges[e])
+  for (std::uint32_t e = 0; e < edges.size(); ++e)
+    for (const NodeId n : edges[e])
       if (!used[e] && at.degree(n) != 2) walk(n, e);
   // What is left are cycles without a joint.
-  for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e)
-    if (!used[e]) walk(skeleton.edges[e][0], e);
+  for (std::uint32_t e = 0; e < edges.size(); ++e)
+    if (!used[e]) walk(edges[e][0], e);
   return result;
 }
 

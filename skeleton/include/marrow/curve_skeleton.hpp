@@ -4,7 +4,9 @@
 #include <marrow/vec.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace marrow {
@@ -53,7 +55,10 @@ int joint_count(const CurveSkeleton& skeleton);
 /// Sum of the lengths of all edges.
 double total_length(const CurveSkeleton& skeleton);
 
-/// All branches, in the order of their first edge.
+/// All branches: first those that end at a leaf or joint, then cycles without one, each group in the
+/// order of its first edge.
 std::vector<Branch> branches(const CurveSkeleton& skeleton);
+/// The same for any graph of `nodes` nodes.
+std::vector<Branch> branches(std::size_t nodes, std::span<const CurveSkeleton::Edge> edges);
 
 }  // namespace marrow

@@ -1,0 +1,97 @@
+// The voxel grid that the matches of all views vote in (section 4.2).
+#pragma once
+
+#include <marrow/vec.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace marrow {
+
+/// A distance in an image in thirds of a pixel; integer until the skeleton is built.
+using ChamferDistance = std::uint16_t;
+
+/// A box of cubic voxels; x runs fastest.
+struct VoxelGrid {
+  Vec3 origin;       ///< lowest corner
+  double size = 1;   ///< edge of a voxel
+  int nx = 0, ny = 0, nz = 0;
+
+  std::size_t count() const {
+    return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) *
+           static_cast<std::size_t>(nz);
+  }
+  std::uint32_t index(int x, int y, int z) const {
+    return static_cast<std::uint32_t>(x + nx * (y + ny * z));
+  }
+  bool contains(int x, int y, int z) const {
+    return x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz;
+  }
+  int x_of(std::uint32_t voxel) const { return static_cast<int>(voxel) % nx; }
+  int y_of(std::uint32_t voxel) const { return static_cast<int>(voxel) / nx % ny; }
+  int z_of(std::uint32_t voxel) const { return static_cast<int>(voxel) / nx / ny; }
+  Vec3 center(std::uint32_t voxel) const {
+    return origin + Vec3{x_of(voxel) + 0.5, y_of(voxel) + 0.5, z_of(voxel) + 0.5} * size;
+  }
+
+  friend bool operator==(const VoxelGrid&, const VoxelGrid&) = default;
+};
+
+/// The grid around a box: `resolution` voxels along its longest side, two of padding on every side.
+VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution);
+
+/// What the matches in one voxel say.
+struct Vote {
+  std::uint32_t voxel = 0;
+  std::uint32_t count = 0;      ///< matches
+  ChamferDistance radius = 0;   ///< least of the distances matched here
+  std::uint8_t support = 0;     ///< "M": of the 42 images, those whose medial axis passes here
+  Vec3 position;                ///< mean of the exact positions matched here
+
+  friend bool operator==(const Vote&, const Vote&) = default;
+};
+
+/// All voted voxels, in the order of their index.
+struct VoteGrid {
+  VoxelGrid grid;
+  std::vector<Vote> votes;
+
+  friend bool operator==(const VoteGrid&, const VoteGrid&) = default;
+};
+
+/// Takes votes from many threads at once: integer add and min only, which commute, so that any
+/// schedule gives the same grid.
+class VoteAccumulator {
+ public:
+  explicit VoteAccumulator(const VoxelGrid& grid);
+
+  /// One match at `position` (inside the grid, |.| <= 2) with distance `radius`. Thread-safe.
+  void vote(const Vec3& position, ChamferDistance radius);
+
+  /// The end of the parallel phase is a change of type.
+  VoteGrid finish() &&;
+
+ private:
+  struct Cell {
+    std::atomic<std::uint32_t> count;
+    std::atomic<std::uint32_t> inverse_radius;  // 0xffff - radius: zero memory is an empty cell
+    std::atomic<std::int64_t> x, y, z;          // sums in fixed point
+  };
+  struct Free {
+    void operator()(void* memory) const;
+  };
+
+  Cell& cell_of(std::uint32_t voxel);
+
+  VoxelGrid grid_;
+  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which cell
+  // a voxel gets depends on the schedule, what it holds does not.
+  std::unique_ptr<std::atomic<std::uint32_t>[], Free> cell_index_;
+  std::unique_ptr<Cell[], Free> cells_;
+  std::atomic<std::uint32_t> used_cells_{0};
+};
+
+}  // namespace marrow

@@ -1,0 +1,40 @@
+// Silhouettes by exact integer scanline fill (section 4.1).
+#pragma once
+
+#include <marrow/image.hpp>
+#include <marrow/normalization.hpp>
+#include <marrow/view.hpp>
+
+namespace marrow {
+
+/// A corner of the shape on the sub-pixel lattice of an image: pixel centres lie on multiples of
+/// subpixels_of(resolution). Coordinates fit 15 bits.
+struct SnappedPoints {
+  std::vector<std::int16_t> x, y;
+};
+
+/// Lattice steps to a pixel: the greatest power of two with resolution * steps <= 2^15.
+int subpixels_of(int resolution);
+
+/// All points of the shape in the image plane, snapped to the lattice once.
+SnappedPoints snap(const NormalizedShape& shape, const ViewPlane& plane, int resolution);
+
+/// Fills every triangle: a pixel is set when its centre lies in a triangle or on its edge, whatever
+/// the triangle's orientation. All arithmetic after the snap is exact.
+BitImage fill_triangles(const SnappedPoints& points, std::span<const Triangle> triangles,
+                        int resolution);
+
+/// Draws the edges of thin triangles (twice the area under 8 square pixels) where nothing of `mask`
+/// lies in the 3x3 pixels around: slivers and limbs thinner than a pixel leave a trace, and nothing
+/// grows thicker.
+void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
+                          std::span<const Triangle> triangles, int resolution);
+
+/// Fills the enclosed holes of `mask` whose inscribed radius is under `radius` pixels.
+void fill_small_holes(BitImage& mask, double radius);
+
+/// The silhouette of `shape`: fill, trace, and for an open shape the small holes (under 0.02 of the
+/// side) filled; on a closed shape holes are real.
+BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution);
+
+}  // namespace marrow

@@ -1,0 +1,31 @@
+// What one stereo pair of views sees (section 4.1).
+#pragma once
+
+#include <marrow/medial_axis.hpp>
+#include <marrow/silhouette.hpp>
+
+namespace marrow {
+
+/// One image of a pair: the silhouette, its distances and its medial axis.
+struct ViewImage {
+  ViewPlane plane;
+  BitImage silhouette;
+  DistanceMap distance;
+  MedialAxis axis;
+};
+
+/// Two images that share their rows.
+struct StereoImages {
+  StereoPair pair;
+  ViewImage front, side;
+};
+
+/// The frame of the pair that looks along `direction`: its scanline axis y is the major axis of a
+/// small silhouette, x the minor one.
+StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction);
+
+/// Draws both images of a pair and takes their medial axes.
+StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
+                                int resolution);
+
+}  // namespace marrow

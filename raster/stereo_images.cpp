@@ -1,0 +1,80 @@
+#include <marrow/stereo_images.hpp>
+
+#include <cmath>
+
+namespace marrow {
+
+namespace {
+
+constexpr int kFrameResolution = 64;  // of the silhouette that a frame is turned to
+constexpr std::int64_t kFewPixels = 8;
+
+/// Sums over points (x, y); integers, so that any order gives the same.
+struct PlaneMoments {
+  std::int64_t n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+
+  void add(std::int64_t px, std::int64_t py) {
+    ++n;
+    x += px, y += py;
+    xx += px * px, xy += px * py, yy += py * py;
+  }
+};
+
+/// Major axis (unit vector in the plane) of a set of points; (0, 1) where no direction stands out.
+std::pair<double, double> major_axis(const PlaneMoments& m) {
+  const auto n = static_cast<double>(m.n);
+  const auto cross_moment = [n](std::int64_t ab, std::int64_t a, std::int64_t b) {
+    return static_cast<double>(ab) / n - static_cast<double>(a) / n * (static_cast<double>(b) / n);
+  };
+  const double xx = cross_moment(m.xx, m.x, m.x), xy = cross_moment(m.xy, m.x, m.y),
+               yy = cross_moment(m.yy, m.y, m.y);
+  const double half = 0.5 * (xx - yy), root = std::sqrt(half * half + xy * xy);
+  if (!(root > 1e-9 * (xx + yy))) return {0, 1};
+  // Eigenvector of the greater eigenvalue, from the row that does not cancel.
+  double ax = half >= 0 ? half + root : xy;
+  double ay = half >= 0 ? xy : root - half;
+  const double norm = std::sqrt(ax * ax + ay * ay);
+  ax /= norm, ay /= norm;
+  return ay < 0 || (ay == 0 && ax < 0) ? std::pair{-ax, -ay} : std::pair{ax, ay};
+}
+
+PlaneMoments pixel_moments(const BitImage& mask) {
+  PlaneMoments m;
+  for (int y = 0; y < mask.height(); ++y)
+    for (int x = 0; x < mask.width(); ++x)
+      if (mask(x, y)) m.add(x, y);
+  return m;
+}
+
+PlaneMoments point_moments(const SnappedPoints& points) {
+  PlaneMoments m;
+  for (std::size_t i = 0; i < points.x.size(); ++i) m.add(points.x[i], points.y[i]);
+  return m;
+}
+
+ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
+  ViewImage image{plane, draw_silhouette(shape, plane, resolution), {}, {}};
+  image.distance = distance_transform(image.silhouette);
+  image.axis = medial_axis(image.distance);
+  return image;
+}
+
+}  // namespace
+
+StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction) {
+  const Frame any = frame_along(direction);
+  const SnappedPoints points = snap(shape, {any.x, any.y}, kFrameResolution);
+  PlaneMoments m = pixel_moments(fill_triangles(points, shape.triangles, kFrameResolution));
+  if (m.n < kFewPixels) m = point_moments(points);  // a plate seen from its edge
+  const auto [ax, ay] = major_axis(m);
+  const Vec3 y = any.x * ax + any.y * ay;
+  return {{cross(y, any.z), y, any.z}};
+}
+
+StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
+                                int resolution) {
+  return {pair, draw_view(shape, pair.front(), resolution),
+          draw_view(shape, pair.side(), resolution)};
+}
+
+}  // namespace marrow

@@ -1,0 +1,51 @@
+// The whole method: a shape in, its curve-skeleton out.
+#pragma once
+
+#include <marrow/curve_skeleton.hpp>
+#include <marrow/normalization.hpp>
+#include <marrow/stereo_images.hpp>
+#include <marrow/visual_hull.hpp>
+#include <marrow/vote_graph.hpp>
+
+#include <functional>
+#include <string_view>
+
+namespace marrow {
+
+struct ExtractOptions {
+  int image_resolution = 256;  ///< pixels along a side of each of the 42 images, 64 to 1024
+  int grid_resolution = 128;   ///< voxels along the longest side of the shape, 16 to 256
+  int smoothing_passes = 5;    ///< 0 and up
+  int max_threads = 0;         ///< 0: as many as the machine has; the result does not depend on it
+  /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on the
+  /// calling thread. May throw to stop the work.
+  std::function<void(std::string_view stage, double done)> on_stage;
+};
+
+/// The curve-skeleton of `shape`, in its units, for every part of its visual hull. The same shape and
+/// options give the same bytes on any machine with any number of threads.
+/// Throws Error: Empty (nothing to skeletonise), Usage (an option out of range).
+CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
+
+/// All intermediate results, in the order of the paper.
+struct ExtractTrace {
+  Normalization normalization;
+  std::vector<StereoImages> views;  ///< 4.1: silhouettes, distances, medial axes
+  VoteGrid votes;                   ///< 4.2
+  VoteGrid cleaned;                 ///< 4.3: with support
+  VoteGraph tree;                   ///< 4.3: ORG
+  VoteGraph core;                   ///< 4.4.1
+  VoxelSet solid;                   ///< the visual hull that is thinned
+  VoteGraph thinned;                ///< with the topology of the hull, leaves pruned
+  VoteGraph collapsed;              ///< 4.4.2: branches collapsed, short cycles cut
+  VoteGraph smoothed;               ///< 4.4: leaves trimmed, branches smoothed
+  CurveSkeleton skeleton;           ///< with hull radii, in the units of the shape
+};
+
+/// extract(), keeping everything.
+ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& options = {});
+
+/// A graph in the normalised frame as a skeleton in the units of the shape.
+CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization);
+
+}  // namespace marrow

@@ -1,0 +1,43 @@
+// Cleaning by the visual hull (section 4.3), and how many images support a vote.
+#pragma once
+
+#include <marrow/stereo_images.hpp>
+#include <marrow/vote_grid.hpp>
+
+#include <span>
+
+namespace marrow {
+
+/// Where a point of the normalised frame falls in every image of all views.
+class Projections {
+ public:
+  explicit Projections(std::span<const StereoImages> views);
+
+  std::size_t image_count() const { return images_.size(); }
+  const ViewImage& image(std::size_t i) const { return *images_[i]; }
+  /// Image coordinates of `p` in image `i`; pixel centres are integers.
+  std::pair<double, double> operator()(std::size_t i, const Vec3& p) const {
+    return {dot(planes_[i].u, p) + middle_, dot(planes_[i].v, p) + middle_};
+  }
+
+ private:
+  std::vector<const ViewImage*> images_;
+  std::vector<ViewPlane> planes_;  // scaled to pixels
+  double middle_ = 0;
+};
+
+/// Drops every vote whose mean position falls outside a silhouette by more than a pixel, and gives
+/// the others their support: the number of images whose medial axis passes within 0.9 voxels.
+VoteGrid clean_grid(VoteGrid votes, std::span<const StereoImages> views);
+
+/// One flag per voxel: the visual hull at the grid's resolution.
+using VoxelSet = std::vector<std::uint8_t>;
+
+/// Voxels whose centre lies inside all silhouettes, after a majority vote of 3x3x3 neighbours.
+VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views);
+
+/// Radius of the ball around `p` that the silhouettes allow: the least of the distances at its
+/// projections, bilinear. Normalised frame; may be negative outside the hull.
+double hull_radius(const Vec3& p, const Projections& projections);
+
+}  // namespace marrow

@@ -1,0 +1,31 @@
+// The graph that the stages from ORG to smoothing work on, in the normalised frame.
+#pragma once
+
+#include <marrow/curve_skeleton.hpp>
+#include <marrow/vote_grid.hpp>
+
+#include <vector>
+
+namespace marrow {
+
+/// How many images a vote can be supported by.
+inline constexpr int kImages = 42;
+
+/// Voxels and the edges between them.
+struct VoteGraph {
+  struct Node {
+    Vec3 position;           ///< normalised frame
+    double radius = 0;       ///< of the ball that the matches promise, normalised frame
+    int support = 0;         ///< "M": of the 42 images, those whose medial axis passes here
+    std::uint32_t voxel = 0;
+
+    friend bool operator==(const Node&, const Node&) = default;
+  };
+
+  std::vector<Node> nodes;
+  std::vector<CurveSkeleton::Edge> edges;  ///< lower id first
+
+  friend bool operator==(const VoteGraph&, const VoteGraph&) = default;
+};
+
+}  // namespace marrow

@@ -1,0 +1,59 @@
+#include <marrow/extract.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow {
+
+namespace {
+
+constexpr double kDigits = 1e-6;  // of the diagonal: what is finer is noise
+
+/// A power of ten by multiplication: exact up to 10^22, the same everywhere beyond.
+double power_of_ten(int exponent) {
+  double p = 1;
+  for (int i = 0; i < std::abs(exponent); ++i) p *= 10;
+  return exponent < 0 ? 1 / p : p;
+}
+
+/// Rounds to a decimal place, so that the shortest text of a number is short.
+class DecimalRounding {
+ public:
+  explicit DecimalRounding(double quantum) {
+    int exponent = 0;
+    double p = 1;
+    while (p > quantum && exponent > -300) p = power_of_ten(--exponent);
+    while (p * 10 <= quantum && exponent < 300) p = power_of_ten(++exponent);
+    power_ = power_of_ten(std::abs(exponent));
+    fraction_ = exponent < 0;
+  }
+
+  double operator()(double v) const {
+    const double rounded =
+        fraction_ ? std::nearbyint(v * power_) / power_ : std::nearbyint(v / power_) * power_;
+    return std::isfinite(rounded) ? rounded + 0.0 : v;  // + 0.0: no negative zero
+  }
+
+ private:
+  double power_ = 1;
+  bool fraction_ = false;
+};
+
+}  // namespace
+
+CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization) {
+  const double diagonal = normalization.length_to_input(2);
+  const DecimalRounding round(kDigits * diagonal);
+  CurveSkeleton skeleton;
+  skeleton.nodes.reserve(graph.nodes.size());
+  for (const auto& n : graph.nodes) {
+    const Vec3 p = normalization.to_input(n.position);
+    const double radius = normalization.length_to_input(n.radius);
+    skeleton.nodes.push_back(
+        {{round(p.x), round(p.y), round(p.z)}, std::max(round(radius), kDigits * diagonal)});
+  }
+  skeleton.edges = graph.edges;
+  return skeleton;
+}
+
+}  // namespace marrow

@@ -7,6 +7,14 @@ cd "$root"
 say "clang-format"
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run --Werror
 
+say "links in the documents"
+for page in README.md CHANGELOG.md docs/*.md; do
+  links=$(grep -oE '\]\([^):]+\)' "$page" | tr -d '])(') || continue  # no colon: none of the web
+  for link in $links; do
+    [ -e "$(dirname "$page")/$link" ] || die "$page: there is no $link"
+  done
+done
+
 say "shellcheck"
 git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source-path=SCRIPTDIR
 

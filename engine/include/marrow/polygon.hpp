@@ -3,6 +3,7 @@
 
 #include <marrow/shape.hpp>
 #include <marrow/vec.hpp>
+
 #include <span>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct PolygonCut {
 /// inside is where its winding number is not zero. It may be concave, not quite flat, touch itself
 /// (a hole joined to the rim by a doubled edge stays a hole) and cross itself. Coordinates are
 /// finite, of any magnitude; corners closer than 1e-9 of the polygon's size are one.
-/// Takes O(n log n) for n corners, unless the polygon touches or crosses itself. A polygon without
-/// area, and one that crosses itself some 100,000 times, is cut into a fan.
+/// Takes O(n log n) for n corners, unless the polygon touches or crosses itself. Of a polygon
+/// without an inside the edges are left, as triangles of no width. One that crosses itself more
+/// than some 100,000 times is cut into a fan, which then may cover more.
 PolygonCut cut_polygon(std::span<const Vec3> corners);
 
 }  // namespace marrow

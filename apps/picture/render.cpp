@@ -1,0 +1,185 @@
+#include "picture/render.hpp"
+
+#include <marrow/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+
+#include "picture/camera.hpp"
+#include "picture/font.hpp"
+#include "picture/legend.hpp"
+#include "picture/strokes.hpp"
+#include "picture/surface_hits.hpp"
+#include "picture/xray.hpp"
+
+namespace marrow {
+namespace {
+
+constexpr int kMinSize = 64;
+constexpr int kMaxSize = 16384;
+constexpr float kHaziest = 0.25F;
+constexpr Colour kRule = from_bytes(226, 229, 234);
+
+/// Sizes that grow with the picture, in pixels.
+struct Sizes {
+  float dot;      // of the font
+  float tube;     // radius
+  float outline;  // around tubes and balls
+  float joint, leaf;
+  double disc;  // radius of a point
+  int legend;   // height
+};
+
+Sizes sizes_of(const RenderOptions& options) {
+  const float unit = static_cast<float>(std::min(options.width, options.height * 4 / 3)) / 1600.0F;
+  Sizes sizes{};
+  sizes.dot = std::max(1.0F, 2.0F * unit);
+  sizes.tube = std::max(1.2F, 4.0F * unit);
+  sizes.outline = std::max(0.5F, 1.1F * unit);
+  sizes.disc = std::max(0.8, 1.6 * static_cast<double>(unit));
+  sizes.legend = static_cast<int>(20 * sizes.dot);
+  return sizes;
+}
+
+/// Thinner tubes and balls where the limbs are so thin that these would hide them.
+void spare_thin_limbs(Sizes& sizes, const CurveSkeleton& skeleton, double pixels_per_unit) {
+  if (!skeleton.nodes.empty()) {
+    std::vector<double> radii;
+    for (const auto& node : skeleton.nodes) radii.push_back(node.radius);
+    const auto quarter = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 4);
+    std::nth_element(radii.begin(), quarter, radii.end());
+    const double half_limb = 0.4 * *quarter * pixels_per_unit;
+    if (half_limb < static_cast<double>(sizes.tube)) {
+      sizes.tube = std::max(static_cast<float>(half_limb), 0.5F * sizes.tube);
+    }
+  }
+  sizes.joint = 1.9F * sizes.tube;
+  sizes.leaf = 1.75F * sizes.tube;
+}
+
+void check(const RenderOptions& options) {
+  for (const int size : {options.width, options.height}) {
+    if (size < kMinSize || size > kMaxSize) {
+      throw Error(ErrorKind::Usage,
+                  "render: a picture of " + std::to_string(options.width) + " x " +
+                      std::to_string(options.height) + " pixels is out of range; take sides of " +
+                      std::to_string(kMinSize) + " to " + std::to_string(kMaxSize));
+    }
+  }
+}
+
+/// Everything that has to fit into the views, in the pose.
+std::vector<Vec3> framed_points(const Shape& shape, const CurveSkeleton& skeleton,
+                                const Normalization& pose) {
+  std::vector<Vec3> points = drawn_points(shape);
+  for (const auto& node : skeleton.nodes) points.push_back(node.position);
+  for (Vec3& p : points) p = pose.to_normalized(p);
+  return points;
+}
+
+Stroke ball(const Vec3& at, float radius, const Sizes& sizes) {
+  Stroke stroke;
+  stroke.a = stroke.b = at;
+  stroke.radius = radius;
+  stroke.outline = sizes.outline;
+  return stroke;
+}
+
+/// How hazy a node is: the farthest of all most, the nearest not at all, and a flat skeleton, which
+/// has no far end to speak of, hardly.
+class Haze {
+ public:
+  Haze(std::span<const Vec3> places, double pixels_per_unit) {
+    for (const Vec3& p : places) {
+      nearest_ = std::max(nearest_, p.z);
+      farthest_ = std::min(farthest_, p.z);
+    }
+    depth_ = std::max(nearest_ - farthest_, 0.5 * pixels_per_unit);
+  }
+  float at(const Vec3& place) const {
+    return kHaziest * static_cast<float>((nearest_ - place.z) / depth_);
+  }
+
+ private:
+  double nearest_ = -std::numeric_limits<double>::infinity();
+  double farthest_ = std::numeric_limits<double>::infinity();
+  double depth_ = 1;
+};
+
+std::vector<Stroke> strokes_of(const CurveSkeleton& skeleton, const Normalization& pose,
+                               const View& view, const Sizes& sizes) {
+  const RadiusRange range = radius_range(skeleton);
+  std::vector<Vec3> places;
+  places.reserve(skeleton.nodes.size());
+  for (const auto& node : skeleton.nodes) {
+    places.push_back(view.project(pose.to_normalized(node.position)));
+  }
+  const Haze haze(places, view.scale);
+  std::vector<Stroke> strokes;
+  for (const auto& [a, b] : skeleton.edges) {
+    Stroke tube = ball(places[a], sizes.tube, sizes);
+    tube.b = places[b];
+    tube.haze_a = haze.at(places[a]);
+    tube.haze_b = haze.at(places[b]);
+    tube.value_a = range.place_of(skeleton.nodes[a].radius);
+    tube.value_b = range.place_of(skeleton.nodes[b].radius);
+    strokes.push_back(tube);
+  }
+  const std::vector<int> edges = degrees(skeleton);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (edges[i] == 2) continue;
+    Stroke mark = ball(places[i], edges[i] >= 3 ? sizes.joint : sizes.leaf, sizes);
+    mark.haze_a = mark.haze_b = haze.at(places[i]);
+    mark.is_marked = edges[i] != 0;
+    mark.colour = edges[i] >= 3 ? kJointColour : kLeafColour;
+    mark.value_a = mark.value_b = range.place_of(skeleton.nodes[i].radius);
+    strokes.push_back(mark);
+  }
+  return strokes;
+}
+
+void rule(Canvas& canvas, const Rect& line) {
+  for (int y = line.top; y < line.bottom(); ++y) {
+    for (int x = line.left; x < line.right(); ++x) canvas.blend(x, y, kRule, 1);
+  }
+}
+
+/// Lines between the cells, and the name of every view.
+void draw_frame(Canvas& canvas, std::span<const View> views, float dot) {
+  const int thick = std::max(1, static_cast<int>(0.5F * dot));
+  for (const View& view : views) {
+    const Rect& cell = view.cell;
+    if (cell.left > 0) rule(canvas, {cell.left, cell.top, thick, cell.height});
+    rule(canvas, {cell.left, cell.bottom() - thick, cell.width, thick});
+    draw_text(canvas, static_cast<float>(cell.left) + 8 * dot,
+              static_cast<float>(cell.top) + 8 * dot, view.name, dot, kFaintTextColour);
+  }
+}
+
+}  // namespace
+
+RgbImage render_picture(const Shape& shape, const CurveSkeleton& skeleton,
+                        const RenderOptions& options) {
+  check(options);
+  Sizes sizes = sizes_of(options);
+  const Normalization pose = pose_of(shape, skeleton);
+  const Rect area{0, 0, options.width, options.height - sizes.legend};
+  const auto views = four_views(framed_points(shape, skeleton, pose), area);
+
+  spare_thin_limbs(sizes, skeleton, views[0].scale / pose.length_to_input(1));
+
+  Canvas canvas(options.width, options.height, {1, 1, 1});
+  const SurfaceTracer surface(shape, pose, sizes.disc / views[0].scale);
+  for (const View& view : views) draw_xray(canvas, surface, view);
+  draw_frame(canvas, views, sizes.dot);
+  for (const View& view : views) {
+    draw_strokes(canvas, view.cell, strokes_of(skeleton, pose, view, sizes));
+  }
+  draw_legend(canvas, {0, area.bottom(), options.width, sizes.legend}, skeleton, sizes.dot);
+  return to_image(canvas);
+}
+
+}  // namespace marrow

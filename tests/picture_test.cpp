@@ -264,6 +264,28 @@ TEST_CASE("Points that no triangle uses do not count", "[picture]") {
   CHECK(render_picture(shape, rod(), small()) == render_picture(ball(), rod(), small()));
 }
 
+TEST_CASE("Doubled, flipped and unwelded triangles do not change the picture", "[picture]") {
+  const Shape once = ball();
+  Shape doubled = once;
+  Shape soup;
+  for (const auto& [a, b, c] : once.triangles) {
+    doubled.triangles.push_back({a, c, b});
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t i : {a, b, c}) soup.points.push_back(once.points[i]);
+    const std::uint32_t turn = first % 2;  // every other triangle the other way round
+    soup.triangles.push_back({first, first + 1 + turn, first + 2 - turn});
+  }
+  const RgbImage image = render_picture(once, {}, small());
+  for (const Shape& other : {doubled, soup}) {
+    const RgbImage same = render_picture(other, {}, small());
+    int differing = 0;  // but for the last bits of normals and depths
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      differing += std::abs(image.pixels[i] - same.pixels[i]) > 2 ? 1 : 0;
+    }
+    CHECK(differing < 3 * image.width * image.height / 1000);
+  }
+}
+
 TEST_CASE("A cloud of points is drawn as discs", "[picture]") {
   Shape cloud = ball();
   cloud.triangles.clear();
@@ -347,6 +369,16 @@ TEST_CASE("Text takes the room it says", "[picture]") {
   CHECK(count_pixels(image, canvas.bounds(), is_ink) > 200);
   CHECK(count_pixels(image, {9, 9, right - 9, bottom - 9}, is_ink) ==
         count_pixels(image, canvas.bounds(), is_ink));
+}
+
+TEST_CASE("Blanks leave no ink, letters leave some, at any size", "[picture]") {
+  for (const float dot : {0.7F, 1.0F, 1.5F, 3.0F}) {
+    Canvas canvas(60, 40, {1, 1, 1});
+    draw_text(canvas, 5, 5, " ", dot, {0, 0, 0});
+    CHECK(to_image(canvas).pixels == std::vector<std::uint8_t>(60 * 40 * 3, 255));
+    draw_text(canvas, 5, 5, "a", dot, {0, 0, 0});
+    CHECK(count_pixels(to_image(canvas), canvas.bounds(), is_ink) > 5);
+  }
 }
 
 TEST_CASE("Masks become images", "[picture]") {

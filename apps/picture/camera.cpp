@@ -9,7 +9,8 @@ namespace {
 
 // A box in the principal frame has to be this much smaller than in the input axes to be preferred.
 constexpr double kTighter = 0.6;
-constexpr double kFilled = 0.86;      // of a cell
+constexpr double kFilled = 0.86;  // of a cell
+constexpr double kClearlyLarger = 1.3;
 constexpr double kMaxEnlarged = 1.5;  // of a view over the one with the smallest scale
 
 struct Box {
@@ -132,8 +133,6 @@ std::array<double, 4> scales_of(const std::array<Box, 4>& boxes, const Cells& ce
   return scales;
 }
 
-double sum(const std::array<double, 4>& a) { return a[0] + a[1] + a[2] + a[3]; }
-
 }  // namespace
 
 std::vector<Vec3> drawn_points(const Shape& shape) {
@@ -180,8 +179,8 @@ std::array<View, 4> four_views(std::span<const Vec3> points, const Rect& area) {
   }
   const Cells square = divide(area, 2, 2);
   const Cells strip = divide(area, 4, 1);
-  const Cells& cells =
-      sum(scales_of(boxes, strip)) > sum(scales_of(boxes, square)) ? strip : square;
+  const bool upright = scales_of(boxes, strip)[0] > kClearlyLarger * scales_of(boxes, square)[0];
+  const Cells& cells = upright ? strip : square;
   const std::array<double, 4> scales = scales_of(boxes, cells);
 
   std::array<View, 4> views;

@@ -45,7 +45,7 @@ struct View {
 };
 
 /// Front, side, top and three-quarter view of `points` (in the pose), laid out in `area` two by two
-/// or side by side, whichever shows them larger, each scaled to its cell.
+/// or, where that shows the front clearly larger, side by side, each scaled to its cell.
 std::array<View, 4> four_views(std::span<const Vec3> points, const Rect& area);
 
 }  // namespace marrow

@@ -98,7 +98,8 @@ float ink_at(const Glyph& glyph, float x, float y, float scale) {
   const float low =
       dot_of(glyph, column, row + 1) * (1 - fu) + dot_of(glyph, column + 1, row + 1) * fu;
   const float value = top * (1 - fv) + low * fv;
-  return std::clamp((value - 0.38F) * scale + 0.5F, 0.0F, 1.0F);
+  const float steepness = std::max(1.4F, scale);  // below that even no dot would leave some ink
+  return std::clamp((value - 0.38F) * steepness + 0.5F, 0.0F, 1.0F);
 }
 
 void draw_glyph(Canvas& canvas, float x, float y, const Glyph& glyph, float scale,

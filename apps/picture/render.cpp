@@ -44,20 +44,21 @@ Sizes sizes_of(const RenderOptions& options) {
   return sizes;
 }
 
-/// Thinner tubes and balls where the limbs are so thin that these would hide them.
+/// Thinner tubes where the limbs are so thin that these would hide them. Balls stay easy to see.
 void spare_thin_limbs(Sizes& sizes, const CurveSkeleton& skeleton, double pixels_per_unit) {
+  const float full = sizes.tube;
   if (!skeleton.nodes.empty()) {
     std::vector<double> radii;
     for (const auto& node : skeleton.nodes) radii.push_back(node.radius);
     const auto quarter = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 4);
     std::nth_element(radii.begin(), quarter, radii.end());
-    const double half_limb = 0.4 * *quarter * pixels_per_unit;
-    if (half_limb < static_cast<double>(sizes.tube)) {
-      sizes.tube = std::max(static_cast<float>(half_limb), 0.5F * sizes.tube);
+    const double half_limb = 0.45 * *quarter * pixels_per_unit;
+    if (half_limb < static_cast<double>(full)) {
+      sizes.tube = std::max(static_cast<float>(half_limb), 0.6F * full);
     }
   }
-  sizes.joint = 1.9F * sizes.tube;
-  sizes.leaf = 1.75F * sizes.tube;
+  sizes.joint = std::max(1.9F * sizes.tube, 1.6F * full);
+  sizes.leaf = std::max(1.75F * sizes.tube, 1.45F * full);
 }
 
 void check(const RenderOptions& options) {

@@ -1,3 +1,6 @@
+#include <marrow/error.hpp>
+#include <marrow/file_io.hpp>
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,8 +10,6 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <marrow/error.hpp>
-#include <marrow/file_io.hpp>
 #include <new>
 #include <stdexcept>
 #include <utility>

@@ -1,3 +1,6 @@
+#include <marrow/error.hpp>
+#include <marrow/file_io.hpp>
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -7,8 +10,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <marrow/error.hpp>
-#include <marrow/file_io.hpp>
 #include <string>
 
 #include "catch.hpp"

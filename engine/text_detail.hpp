@@ -1,0 +1,117 @@
+// Lines, words and numbers of text files: strict, whole words, no locale.
+#pragma once
+
+#include <marrow/error.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace marrow::text_detail {
+
+/// Throws Error: "name:place: what". A place is a line number, or words such as "face 12".
+[[noreturn]] void fail(ErrorKind kind, const std::string& name, const std::string& place,
+                       const std::string& what);
+
+/// `word` in quotes, cut short and without control characters, so that a message stays one line.
+std::string quoted(std::string_view word);
+
+/// `text` without the byte order mark of UTF-8.
+std::string_view without_mark(std::string_view text);
+
+/// True if there are bytes that no text of ours holds: control characters but for blanks and ends
+/// of line.
+bool has_control_characters(std::string_view text);
+
+/// Throws Malformed if `text` is not text.
+void check_is_text(std::string_view text, const std::string& name);
+
+/// A text line by line. Lines end in LF, CR LF, or, if the first one does, in CR alone.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+
+  /// Goes to the next line; false at the end of the text.
+  bool next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find(end_of_line_);
+    const bool last = end == std::string_view::npos;
+    raw_ = rest_.substr(0, last ? rest_.size() : end + 1);
+    rest_.remove_prefix(raw_.size());
+    line_ = last ? raw_ : raw_.substr(0, end);
+    while (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+    ++number_;
+    return true;
+  }
+
+  std::string_view line() const { return line_; }   ///< without its end
+  std::string_view raw() const { return raw_; }     ///< with its end
+  std::string_view rest() const { return rest_; }   ///< what no line has used yet
+  std::uint64_t number() const { return number_; }  ///< from 1
+
+ private:
+  std::string_view rest_, raw_, line_;
+  char end_of_line_ = '\n';
+  std::uint64_t number_ = 0;
+};
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+inline void skip_blanks(std::string_view& text) {
+  std::size_t i = 0;
+  while (i < text.size() && is_blank(text[i])) ++i;
+  text.remove_prefix(i);
+}
+
+/// Takes the first word off `text`; empty if there is none.
+inline std::string_view take_word(std::string_view& text) {
+  skip_blanks(text);
+  std::size_t i = 0;
+  while (i < text.size() && !is_blank(text[i])) ++i;
+  const std::string_view word = text.substr(0, i);
+  text.remove_prefix(i);
+  return word;
+}
+
+/// `word` as a number in all forms that from_chars leaves out: a leading plus, and numbers that no
+/// double holds, which become 0 or infinite.
+bool parse_unusual_number(std::string_view word, double& value);
+
+/// Takes a number off `text` if its first word is one as a whole; it may be infinite or not a
+/// number. Else false, and `text` begins with the word in question.
+inline bool take_number(std::string_view& text, double& value) {
+  skip_blanks(text);
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && (stop == end || is_blank(*stop))) {
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    return true;
+  }
+  std::string_view after = text;
+  if (!parse_unusual_number(take_word(after), value)) return false;
+  text = after;
+  return true;
+}
+
+/// The same for integers.
+template <class Integer>
+bool take_integer(std::string_view& text, Integer& value) {
+  skip_blanks(text);
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || (stop != end && !is_blank(*stop))) return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return true;
+}
+
+/// The shortest text that reads back to the same value.
+template <class Number>
+void append(std::string& text, Number value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text.append(buffer, error == std::errc() ? end : buffer);
+}
+
+}  // namespace marrow::text_detail

@@ -1,0 +1,189 @@
+// marrow extract: a shape in, its curve-skeleton out.
+#include <marrow/error.hpp>
+#include <marrow/extract.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "command.hpp"
+#include "progress.hpp"
+#include "statistics.hpp"
+#include "trace.hpp"
+
+namespace marrow {
+
+namespace {
+
+struct ExtractRequest {
+  std::string shape, from, out, to, json, trace;
+  int image = ExtractOptions{}.image_resolution;
+  int grid = ExtractOptions{}.grid_resolution;
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// 64 bits of FNV-1a: names the input without a library for it; no protection against intent.
+std::string hash_of(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return std::string("fnv1a64:") + digits;
+}
+
+/// All that is not under "run" is the same for the same input, options and version.
+Statistics describe(const ExtractRequest& request, const InputFile& input, const Shape& shape,
+                    const CurveSkeleton& skeleton, const std::vector<StageTime>& times) {
+  Statistics s;
+  s["program"] = "marrow";
+  s["version"] = program_version();
+  s["input"]["file"] = input.name;
+  s["input"]["format"] = input.format;
+  s["input"]["bytes"] = input.bytes.size();
+  s["input"]["hash"] = hash_of(input.bytes);
+  s["input"]["points"] = shape.points.size();
+  s["input"]["triangles"] = shape.triangles.size();
+  s["options"]["image"] = request.image;
+  s["options"]["grid"] = request.grid;
+  s["skeleton"] = statistics_of(skeleton);
+  s["run"]["threads"] = request.threads;
+  double total = 0;
+  for (const auto& [stage, seconds] : times) {
+    s["run"]["seconds"][stage] = seconds;
+    total += seconds;
+  }
+  s["run"]["total_seconds"] = total;
+  return s;
+}
+
+/// The library knows no file names.
+[[noreturn]] void throw_with_name(const InputFile& input, const Error& e) {
+  throw Error(e.kind(), input.name + ": " + e.what());
+}
+
+struct Extraction {
+  CurveSkeleton skeleton;
+  std::vector<OutputFile> trace;
+};
+
+Extraction run_stages(const ExtractRequest& request, const InputFile& input, const Shape& shape,
+                      Progress& progress) {
+  ExtractOptions options;
+  options.image_resolution = request.image;
+  options.grid_resolution = request.grid;
+  options.max_threads = request.threads;
+  options.on_stage = [&](std::string_view stage, double done) {
+    if (done < 1) progress.begin(stage, done);
+  };
+  try {
+    if (request.trace.empty()) return {extract(shape, options), {}};
+    ExtractTrace trace = extract_with_trace(shape, options);
+    progress.begin("trace", 1);
+    std::vector<OutputFile> files = draw_trace(trace, request.trace);
+    return {std::move(trace.skeleton), std::move(files)};
+  } catch (const Error& e) {
+    throw_with_name(input, e);
+  }
+}
+
+void say_what_is_there(const ExtractRequest& request, const InputFile& input,
+                       const CurveSkeleton& skeleton, const std::vector<StageTime>& times) {
+  double seconds = 0;
+  for (const StageTime& time : times) seconds += time.seconds;
+  std::fprintf(stderr,
+               "%s -> %s: components %d, cycles %d, leaves %d, joints %d, nodes %zu; %.2f s\n",
+               one_line(input.name).c_str(), one_line(request.out).c_str(),
+               component_count(skeleton), cycle_count(skeleton), leaf_count(skeleton),
+               joint_count(skeleton), skeleton.nodes.size(), seconds);
+}
+
+void warn_of_lost_nodes(const CurveSkeleton& skeleton, SkeletonFormat format) {
+  const std::vector<int> degree = degrees(skeleton);
+  const auto alone = std::count(degree.begin(), degree.end(), 0);
+  if (format == SkeletonFormat::Skel && alone > 0)
+    warn("nodes without an edge: " + std::to_string(alone) +
+         "; other programs drop them when they read a .skel file");
+}
+
+void check_request(const ExtractRequest& request) {
+  std::vector<std::string> outputs{request.out};
+  if (!request.json.empty()) outputs.push_back(request.json);
+  check_outputs(outputs, {request.shape});
+  if (!request.trace.empty()) check_folder(request.trace);
+}
+
+void run_extract(const ExtractRequest& request) {
+  check_request(request);
+  const SkeletonFormat format = output_skeleton_format(request.out, request.to);
+  Progress progress(request.quiet);
+  progress.begin("read", 0);
+  const InputFile input = read_input(request.shape, request.from);
+  const Shape shape = shape_of(input);
+  Extraction extraction = run_stages(request, input, shape, progress);
+  const CurveSkeleton& skeleton = extraction.skeleton;
+  const std::vector<StageTime> times = progress.finish();
+
+  std::vector<OutputFile> files = std::move(extraction.trace);
+  if (!request.json.empty())
+    files.push_back({request.json, to_json(describe(request, input, shape, skeleton, times))});
+  files.push_back({request.out, format_skeleton(skeleton, format)});
+  write_outputs(files, request.trace);
+  if (request.quiet) return;
+  warn_of_lost_nodes(skeleton, format);
+  say_what_is_there(request, input, skeleton, times);
+}
+
+void add_options(CLI::App& verb, ExtractRequest& request) {
+  verb.add_option("SHAPE", request.shape, "Shape: .obj .ply .stl .off; - is standard input")
+      ->required()
+      ->type_name("");
+  verb.add_option("-o,--output", request.out,
+                  "File for the skeleton: .obj .skel .ply .json; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
+                    {"obj", "ply", "stl", "off"});
+  add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
+                    {"obj", "skel", "ply", "json"});
+  verb.add_option("--image", request.image, "Pixels along a side of each silhouette")
+      ->check(CLI::Range(64, 1024).description(""))
+      ->type_name("64..1024")
+      ->capture_default_str();
+  verb.add_option("--grid", request.grid, "Voxels along the longest side of the shape")
+      ->check(CLI::Range(16, 256).description(""))
+      ->type_name("16..256")
+      ->capture_default_str();
+  verb.add_option("--threads", request.threads,
+                  "Threads at most, 0 for all; the result does not depend on it")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("0..1024")
+      ->capture_default_str();
+  verb.add_option("--json", request.json,
+                  "File for counts, options and times; - is standard output")
+      ->type_name("FILE");
+  verb.add_option("--trace", request.trace, "Folder for pictures and graphs of every stage")
+      ->type_name("DIR");
+  verb.add_flag("--quiet", request.quiet, "Say nothing but errors");
+}
+
+}  // namespace
+
+void add_extract_command(CLI::App& program) {
+  const auto request = std::make_shared<ExtractRequest>();
+  CLI::App* verb = program.add_subcommand("extract", "The curve-skeleton of a shape");
+  add_options(*verb, *request);
+  verb->footer(
+      "Positions and radii are in the units of the shape. Any triangle soup will do: open, in\n"
+      "parts, with holes or flipped faces.\n"
+      "\n"
+      "Examples:\n"
+      "  marrow extract horse.obj -o horse.skel\n"
+      "  marrow extract thin.stl -o thin.json --image 512 --json -\n"
+      "  marrow extract lost_limb.ply -o out.obj --trace stages/\n"
+      "  unzip -p horse.zip | marrow extract - --from ply -o - --to obj | marrow info - --from "
+      "obj\n");
+  verb->callback([request] { run_extract(*request); });
+}
+
+}  // namespace marrow

@@ -1,0 +1,80 @@
+// marrow render: a shape and its skeleton in one picture.
+#include <marrow/error.hpp>
+#include <marrow/file_io.hpp>
+
+#include <charconv>
+#include <memory>
+
+#include "command.hpp"
+#include "picture/png.hpp"
+#include "picture/render.hpp"
+
+namespace marrow {
+
+namespace {
+
+struct RenderRequest {
+  std::string shape, skeleton, from, out, size = "1600x1200";
+};
+
+RenderOptions options_of(const std::string& size) {
+  constexpr int kLeast = 64, kMost = 16384;
+  RenderOptions options;
+  const char* end = size.data() + size.size();
+  const auto width = std::from_chars(size.data(), end, options.width);
+  const bool has_x = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+  const auto height = std::from_chars(has_x ? width.ptr + 1 : end, end, options.height);
+  const auto in_range = [](int side) { return side >= kLeast && side <= kMost; };
+  if (height.ec != std::errc{} || height.ptr != end || !in_range(options.width) ||
+      !in_range(options.height))
+    throw Error(ErrorKind::Usage, "--size: " + size + " is not WIDTHxHEIGHT with both " +
+                                      std::to_string(kLeast) + " to " + std::to_string(kMost) +
+                                      "; see marrow render --help");
+  return options;
+}
+
+void run_render(const RenderRequest& request) {
+  const RenderOptions options = options_of(request.size);
+  if (request.out != "-" && extension_of(request.out) != "png")
+    throw Error(ErrorKind::Unsupported, request.out + ": pictures are .png files");
+  if (request.shape == "-" && request.skeleton == "-")
+    throw Error(ErrorKind::Usage, "only one of SHAPE and SKELETON can be standard input");
+  check_outputs({request.out}, {request.shape, request.skeleton});
+  const bool shape_is_named = request.skeleton != "-";
+  const Shape shape = shape_of(read_input(request.shape, shape_is_named ? request.from : ""));
+  const CurveSkeleton skeleton =
+      skeleton_of(read_input(request.skeleton, shape_is_named ? "" : request.from));
+  write_png(request.out, render_picture(shape, skeleton, options));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program) {
+  const auto request = std::make_shared<RenderRequest>();
+  CLI::App* verb = program.add_subcommand("render", "A picture of a shape and its skeleton");
+  verb->add_option("SHAPE", request->shape, "Shape: .obj .ply .stl .off, or -")
+      ->required()
+      ->type_name("");
+  verb->add_option("SKELETON", request->skeleton, "Skeleton: .obj .skel .ply .json, or -")
+      ->required()
+      ->type_name("");
+  verb->add_option("-o,--output", request->out, "The picture: .png, or -")
+      ->required()
+      ->type_name("FILE");
+  add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
+                    {"obj", "ply", "stl", "off", "skel", "json"});
+  verb->add_option("--size", request->size, "In pixels, 64 to 16384 each")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
+  verb->footer(
+      "Four views: the shape as an X-ray, the skeleton coloured by radius, joints and leaves\n"
+      "marked.\n"
+      "\n"
+      "Examples:\n"
+      "  marrow render horse.obj horse.skel -o horse.png\n"
+      "  marrow extract horse.obj -o - --to skel | marrow render horse.obj - --from skel -o a.png "
+      "--size 800x600\n");
+  verb->callback([request] { run_render(*request); });
+}
+
+}  // namespace marrow

@@ -1,0 +1,252 @@
+#!/usr/bin/env bash
+# Runs the program as a shell does: exit statuses, what is said where, what is left behind.
+#
+#   tests/cli_test.sh MARROW
+set -uo pipefail
+
+marrow=$(realpath "$1")
+[ -x "$marrow" ] || exit 1
+work=$(mktemp -d "${TMPDIR:-/tmp}/marrow-cli.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+failures=0
+fail() {
+  printf 'FAIL line %s: %s\n' "${BASH_LINENO[-2]}" "$*"
+  failures=$((failures + 1))
+}
+
+# run ARGUMENT...: keeps exit status, standard output and standard error.
+run() {
+  "$marrow" "$@" >stdout 2>stderr </dev/null
+  status=$?
+}
+
+# good ARGUMENT...: must succeed.
+good() {
+  run "$@"
+  [ "$status" -eq 0 ] || fail "marrow $*: exit status $status: $(cat stderr)"
+}
+
+# silent ARGUMENT...: must succeed without a word on either stream.
+silent() {
+  good "$@"
+  if [ -s stdout ] || [ -s stderr ]; then fail "marrow $*: says something"; fi
+}
+
+# bad STATUS WORDS ARGUMENT...: must fail with this status, in one line with these words on standard
+# error, and leave no file called out.* and no temporary.
+bad() {
+  local expected=$1 words=$2
+  shift 2
+  run "$@"
+  [ "$status" -eq "$expected" ] || fail "marrow $*: exit status $status instead of $expected"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "marrow $*: not one line: $(cat stderr)"
+  grep -q '^marrow: ' stderr || fail "marrow $*: not in the name of marrow: $(cat stderr)"
+  grep -qF -- "$words" stderr || fail "marrow $*: no word about '$words': $(cat stderr)"
+  [ ! -s stdout ] || fail "marrow $*: data on standard output"
+  left_behind "marrow $*"
+}
+
+left_behind() {
+  local files
+  files=$(find . -name 'out*' -o -name '*.tmp' -o -name '.marrow-*')
+  [ -n "$files" ] || return 0
+  fail "$1: left behind: $files"
+  xargs rm -rf <<<"$files"
+}
+
+# says WORDS: the last run's standard output has a line with these words.
+says() {
+  grep -qE -- "$1" stdout || fail "nothing says '$1': $(cat stdout)"
+}
+
+same() {
+  cmp -s "$1" "$2" || fail "$1 and $2 differ"
+}
+
+quick=(--image 96 --grid 32 --quiet)
+
+# --- words about itself ---------------------------------------------------------------------------
+good --version
+says '^marrow [0-9]+\.[0-9]+\.[0-9]+$'
+says 'Embree [0-9]'
+says 'TBB [0-9]'
+good --help
+says 'Exit status'
+for verb in extract info make render; do
+  good "$verb" --help
+  says 'Examples:'
+  [ ! -s stderr ] || fail "help on standard error"
+done
+good make --list
+says '^torus '
+
+# --- make, extract, info, render ------------------------------------------------------------------
+silent make torus -o torus.obj --truth torus.gt.json --resolution 0.5
+good info torus.obj
+says '^kind +shape'
+says '^closed +yes'
+says '^handles +1'
+grep -q '"polyline_xyzr"' torus.gt.json || fail "no truth"
+for format in ply stl off; do
+  silent make torus -o "torus.$format" --resolution 0.5
+  good info "torus.$format" --json
+  says '"handles": 1'
+done
+silent make torus -o again.obj --truth truth.skel --resolution 0.5
+same torus.obj again.obj
+good info truth.skel
+says '^cycles +1'
+
+for format in obj skel ply json; do
+  silent extract torus.obj -o "skeleton.$format" "${quick[@]}"
+  good info "skeleton.$format"
+  sed 1d stdout >"info.$format"
+  says '^kind +skeleton'
+  says '^cycles +1'
+  says '^leaves +0'
+  same info.obj "info.$format"
+done
+good extract torus.obj -o skeleton.obj --image 96 --grid 32
+[ ! -s stdout ] || fail "words on standard output"
+grep -q 'torus.obj -> skeleton.obj: .*cycles 1,' stderr || fail "no word about the result: $(cat stderr)"
+silent render torus.obj skeleton.skel -o picture.png --size 320x240
+[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "no picture"
+
+# --- the same bytes -------------------------------------------------------------------------------
+for threads in 1 3 8; do
+  silent extract torus.obj -o again.obj --threads "$threads" "${quick[@]}"
+  same skeleton.obj again.obj
+done
+
+# --- standard input and output --------------------------------------------------------------------
+"$marrow" extract - --from obj -o - --to skel "${quick[@]}" <torus.obj >piped.skel || fail "pipe"
+same skeleton.skel piped.skel
+"$marrow" make torus -o - --to ply --resolution 0.5 | cmp -s - torus.ply || fail "make to a pipe"
+"$marrow" render - skeleton.obj --from obj -o - --size 320x240 <torus.obj | cmp -s - picture.png ||
+  fail "render in a pipe"
+"$marrow" render torus.obj - --from skel -o - --size 320x240 <skeleton.skel |
+  cmp -s - picture.png || fail "render in a pipe"
+"$marrow" info - --from skel <skeleton.skel | grep -q '^cycles *1' || fail "info in a pipe"
+cp torus.obj odd.name
+silent extract odd.name --from obj -o odd.skeleton --to skel "${quick[@]}"
+same skeleton.skel odd.skeleton
+
+# --- statistics -----------------------------------------------------------------------------------
+good extract torus.obj -o skeleton.obj --json - "${quick[@]}"
+says '"cycles": 1'
+says '"total_seconds"'
+sed '/"run"/,$d' stdout >statistics
+silent extract torus.obj -o skeleton.obj --json statistics.json --threads 1 "${quick[@]}"
+sed '/"run"/,$d' statistics.json | cmp -s - statistics || fail "statistics are not the same twice"
+
+# --- trace ----------------------------------------------------------------------------------------
+silent extract torus.obj -o again.obj --trace stages "${quick[@]}"
+same skeleton.obj again.obj
+same skeleton.obj stages/12_skeleton.obj
+for file in stages/*.obj; do good info "$file"; done
+[ "$(find stages -name '*.png' | wc -l)" -ge 5 ] || fail "no pictures of the stages"
+
+# --- what a file is -------------------------------------------------------------------------------
+printf 'v 0 0 0 1\nv 1 0 0 1\nl 1 2\n' >lines.obj
+good info lines.obj
+says '^kind +skeleton'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n' >both.obj
+good info both.obj
+says '^kind +shape'
+says '^open edges +3'
+says '^closed +no'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\nf 4 5 6\nv 9 9 9\n' >soup.obj
+good info soup.obj
+says '^components +1'
+says '^unused points +1'
+says '^bounds +0 -1 0 to 1 1 0'
+
+# --- failures, each with its status ---------------------------------------------------------------
+touch nothing.obj
+printf 'v 0 0 0\nv 1 0 0\nf 1 2 99\n' >broken.obj
+printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
+cp torus.obj torus.fbx
+mkdir folder.obj
+
+bad 2 'a verb is missing; see marrow --help'
+bad 2 'see marrow --help' explode
+bad 2 'see marrow extract --help' extract
+bad 2 '--output is required' extract torus.obj
+bad 2 '--wrong' extract torus.obj -o out.obj --wrong
+bad 2 '64 to 1024' extract torus.obj -o out.obj --image 63
+bad 2 '--image' extract torus.obj -o out.obj --image many
+bad 2 '--image' extract torus.obj -o out.obj --image 99999999999
+bad 2 '16 to 256' extract torus.obj -o out.obj --grid 257
+bad 2 '--threads' extract torus.obj -o out.obj --threads -1
+bad 2 '--from' extract - -o out.obj
+bad 2 '--to' extract torus.obj -o -
+bad 2 '--from' extract torus.obj -o out.obj --from fbx
+bad 2 'twice' extract torus.obj -o - --to obj --json -
+bad 2 'twice' extract torus.obj -o out.obj --json out.obj
+bad 2 'is the input' extract torus.obj -o torus.obj
+bad 2 'is the input' extract torus.obj -o ./torus.obj
+bad 2 'empty' extract torus.obj -o ''
+bad 2 'NAME is missing' make
+bad 2 'missing' make torus
+bad 2 'no-such-shape' make no-such-shape -o out.obj
+bad 2 'resolution' make torus -o out.obj --resolution 0
+bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 20x20
+bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 800
+bad 2 'standard input' render - - --from obj -o out.png
+bad 3 'none.obj' extract none.obj -o out.obj
+bad 3 'folder.obj' info folder.obj
+bad 4 'broken.obj:3' extract broken.obj -o out.obj
+bad 4 'torus.obj' render torus.obj torus.obj -o out.png
+bad 4 'not JSON' info torus.obj --from json
+bad 5 'torus.fbx' extract torus.fbx -o out.obj
+bad 5 'out.fbx' extract torus.obj -o out.fbx
+bad 5 'out.jpg' render torus.obj skeleton.obj -o out.jpg
+bad 5 'out.gltf' make torus -o out.gltf
+bad 5 'out.txt' make torus -o out.obj --truth out.txt
+bad 6 'nothing.obj' extract nothing.obj -o out.obj
+bad 6 'point.obj' extract point.obj -o out.obj "${quick[@]}"
+bad 8 'no folder' extract torus.obj -o none/out.obj
+bad 8 'no folder' make torus -o none/out.obj
+bad 8 'no folder' extract torus.obj -o skeleton.obj --trace none/stages
+bad 8 'torus.obj' extract torus.obj -o out.skel --trace torus.obj
+bad 8 'folder.obj' extract torus.obj -o folder.obj "${quick[@]}"
+if [ -e /dev/full ]; then
+  bad 8 '/dev/full' extract torus.obj -o /dev/full --to obj --json out.json --trace out_stages "${quick[@]}"
+  "$marrow" make --list >/dev/full 2>stderr
+  [ $? -eq 8 ] || fail "a full standard output"
+fi
+bad 3 'new line.obj' info $'new\nline.obj'
+
+# --- told to end ----------------------------------------------------------------------------------
+# A reader that goes away is no failure to talk about.
+{
+  "$marrow" make torus -o - --to obj 2>stderr
+  echo $? >status
+} | head -c 1 >stdout
+[ "$(cat status)" -eq 8 ] || fail "exit status $(cat status) when nobody reads"
+[ ! -s stderr ] || fail "words when nobody reads: $(cat stderr)"
+
+# interrupted SIGNAL STATUS: ends the program while it waits for standard input.
+interrupted() {
+  mkfifo input
+  # A shell makes what it starts in the background ignore SIGINT.
+  env --default-signal=INT "$marrow" extract - --from obj -o out.obj <input >stdout 2>stderr &
+  local program=$!
+  exec 3>input   # returns when the program has opened the other end
+  sleep 0.2
+  kill -s "$1" "$program"
+  wait "$program"
+  status=$?
+  exec 3>&-
+  rm input
+  [ "$status" -eq "$2" ] || fail "exit status $status instead of $2 after SIG$1"
+  left_behind "SIG$1"
+}
+interrupted INT 130
+interrupted TERM 143
+interrupted HUP 129
+
+[ "$failures" -eq 0 ] || exit 1
+echo "the program does what it says"

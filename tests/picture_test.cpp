@@ -63,6 +63,9 @@ Rect front_of(const RgbImage& image) {
 
 RenderOptions small() { return {scaled(800, 400), scaled(600, 300)}; }
 
+/// Large enough for single pixels of the skeleton to be looked at.
+RenderOptions legible() { return {800, 600}; }
+
 template <class Call>
 ErrorKind kind_of(Call&& call) {
   try {
@@ -183,7 +186,7 @@ TEST_CASE("A rendered ball covers the area of a disc in every view", "[picture]"
 
 TEST_CASE("A rendered skeleton shows its colours, leaves and joints", "[picture]") {
   CurveSkeleton skeleton = rod();
-  const RgbImage two = render_picture(ball(), skeleton, small());
+  const RgbImage two = render_picture(ball(), skeleton, legible());
   const Rect front = front_of(two);
   const auto pixels_near = [&](const RgbImage& image, const Colour& colour) {
     return count_pixels(image, front, [&](const Pixel& p) { return is_near(p, colour); });
@@ -192,14 +195,14 @@ TEST_CASE("A rendered skeleton shows its colours, leaves and joints", "[picture]
   CHECK(pixels_near(two, radius_colour(0.5F)) > 10);
   CHECK(pixels_near(two, kLeafColour) > 15);
 
-  const RgbImage none = render_picture(ball(), {}, small());
+  const RgbImage none = render_picture(ball(), {}, legible());
   CHECK(pixels_near(none, radius_colour(0.5F)) == 0);
   CHECK(pixels_near(none, kLeafColour) == 0);
 
   // A node in the middle of the rod is not marked.
   skeleton.nodes.push_back({{0, 0, 0}, 0.375});
   skeleton.edges = {{0, 2}, {1, 2}};
-  const RgbImage bent = render_picture(ball(), skeleton, small());
+  const RgbImage bent = render_picture(ball(), skeleton, legible());
   CHECK(is_near(pixel_of(bent, front.width / 2, front.height / 2), radius_colour(0.5F)));
 
   // A third arm makes a joint of it.
@@ -207,7 +210,7 @@ TEST_CASE("A rendered skeleton shows its colours, leaves and joints", "[picture]
   skeleton.edges = {{0, 2}, {1, 2}, {2, 3}};
   const auto white = [](const Pixel& p) { return p.r > 210 && p.g > 210 && p.b > 210; };
   const Rect middle{front.width / 2 - 1, front.height / 2 - 1, 2, 2};
-  const RgbImage three = render_picture(ball(), skeleton, small());
+  const RgbImage three = render_picture(ball(), skeleton, legible());
   CHECK(count_pixels(three, middle, white) == 4);
   CHECK(count_pixels(two, middle, white) == 0);
 }
@@ -218,7 +221,7 @@ TEST_CASE("Nearer parts of the skeleton hide farther ones", "[picture]") {
     CurveSkeleton s;
     s.nodes = {{{-1, 0, z}, 0.1}, {{1, 0, z}, 0.1}, {{0, -1, -z}, 0.3}, {{0, 1, -z}, 0.3}};
     s.edges = {{0, 1}, {2, 3}};
-    return render_picture({}, s, small());
+    return render_picture({}, s, legible());
   };
   const RgbImage across = crossing(0.4);
   const RgbImage upright = crossing(-0.4);
@@ -319,6 +322,16 @@ TEST_CASE("Degenerate shapes and skeletons are drawn", "[picture]") {
   const RgbImage image = render_picture(flat, {}, small());
   const Rect front = front_of(image);
   CHECK(count_pixels(image, front, is_ink) > front.width * front.height / 5);
+}
+
+TEST_CASE("A skeleton far from the shape does not hide the shape", "[picture]") {
+  const RgbImage near = render_picture(ball(), {}, small());
+  const int ink = count_pixels(near, views_of(near), is_ink);
+  for (const double far : {1e3, 1e30, 1e300}) {
+    const CurveSkeleton skeleton{{{{-far, far, 0}, 1}, {{far, far, 2}, 2}}, {{0, 1}}};
+    const RgbImage image = render_picture(ball(), skeleton, small());
+    CHECK(count_pixels(image, views_of(image), is_ink) == Approx(ink).epsilon(0.05));
+  }
 }
 
 TEST_CASE("Sizes of pictures out of range are refused", "[picture]") {

@@ -171,6 +171,15 @@ Normalization pose_of(const Shape& shape, const CurveSkeleton& skeleton) {
   return pose;
 }
 
+Vec3 place(const Normalization& pose, const Vec3& p) {
+  const auto within = [](const Vec3& v, double limit) {
+    return Vec3{std::clamp(v.x, -limit, limit), std::clamp(v.y, -limit, limit),
+                std::clamp(v.z, -limit, limit)};
+  };
+  const Vec3 finite = within(p * pose.prescale, 1e100);  // no infinity may meet a zero of the axes
+  return within(to_frame(pose.axes, finite - pose.center) / pose.radius, 1000);
+}
+
 std::array<View, 4> four_views(std::span<const Vec3> points, const Rect& area) {
   std::array<Box, 4> boxes;
   for (std::size_t i = 0; i < 4; ++i) {

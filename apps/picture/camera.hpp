@@ -25,6 +25,10 @@ std::vector<Vec3> drawn_points(const Shape& shape);
 /// input points up rather than down. Without points the skeleton is posed; empty is the identity.
 Normalization pose_of(const Shape& shape, const CurveSkeleton& skeleton);
 
+/// `p` in the pose, moved to within 1000 of the origin: a skeleton that belongs to another shape
+/// may be anywhere, beyond floats even.
+Vec3 place(const Normalization& pose, const Vec3& p);
+
 /// A parallel projection onto pixels.
 struct View {
   std::string_view name;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kMinSize = 64;
 constexpr int kMaxSize = 16384;
+constexpr double kFarthest = 4;  // from the middle of the shape, whose half-diagonal is 1
 constexpr float kHaziest = 0.25F;
 constexpr Colour kRule = from_bytes(226, 229, 234);
 
@@ -72,12 +73,16 @@ void check(const RenderOptions& options) {
   }
 }
 
-/// Everything that has to fit into the views, in the pose.
+/// Everything that has to fit into the views, in the pose: the shape, and as much of the skeleton
+/// as is not so far away that the shape would shrink to a dot.
 std::vector<Vec3> framed_points(const Shape& shape, const CurveSkeleton& skeleton,
                                 const Normalization& pose) {
   std::vector<Vec3> points = drawn_points(shape);
-  for (const auto& node : skeleton.nodes) points.push_back(node.position);
   for (Vec3& p : points) p = pose.to_normalized(p);
+  for (const auto& node : skeleton.nodes) {
+    const Vec3 p = place(pose, node.position);
+    if (length(p) < kFarthest) points.push_back(p);
+  }
   return points;
 }
 
@@ -116,7 +121,7 @@ std::vector<Stroke> strokes_of(const CurveSkeleton& skeleton, const Normalizatio
   std::vector<Vec3> places;
   places.reserve(skeleton.nodes.size());
   for (const auto& node : skeleton.nodes) {
-    places.push_back(view.project(pose.to_normalized(node.position)));
+    places.push_back(view.project(place(pose, node.position)));
   }
   const Haze haze(places, view.scale);
   std::vector<Stroke> strokes;

@@ -49,6 +49,9 @@ class Brush {
 
   float reach() const { return radius_ + stroke_.outline; }
 
+  /// Nothing of the stroke is nearer than this.
+  float nearest() const { return std::max(az_, az_ + dz_) + radius_; }
+
   float squared_distance(float x, float y) const {
     const float t = place(x, y);
     const float ox = x - ax_ - t * dx_;
@@ -69,7 +72,7 @@ class Brush {
     }
     const float px = x - ax_;
     const float py = y - ay_;
-    const Hit hit = nearest(px, py);
+    const Hit hit = foremost(px, py);
     if (hit.z + az_ <= sample.nearness) return;
     const std::array<float, 3> normal = {(px - hit.t * dx_) / radius_, (py - hit.t * dy_) / radius_,
                                          (hit.z - hit.t * dz_) / radius_};
@@ -90,7 +93,7 @@ class Brush {
 
   /// The foremost point at (px, py), relative to `a`, of the tube or the balls at its ends. Exact,
   /// so that no seam shows where one stroke goes on as the next.
-  Hit nearest(float px, float py) const {
+  Hit foremost(float px, float py) const {
     Hit best;
     const auto try_ball = [&](float t) {
       const float ox = px - t * dx_;
@@ -165,33 +168,49 @@ Rect overlap(const Rect& a, const Rect& b) {
           std::max(0, std::min(a.bottom(), b.bottom()) - top)};
 }
 
-using Samples = std::vector<std::array<Sample, kSamples>>;
+struct Pixel {
+  std::array<Sample, kSamples> samples;
+  /// The farthest of them: what is behind it need not be looked at.
+  float farthest = -std::numeric_limits<float>::infinity();
+};
+using Pixels = std::vector<Pixel>;
 
-void paint_stroke(Samples& samples, const Rect& tile, const Stroke& stroke) {
+Pixel& pixel_at(Pixels& pixels, const Rect& tile, int x, int y) {
+  return pixels[static_cast<std::size_t>((y - tile.top) * kTile + x - tile.left)];
+}
+
+void paint_pixel(Pixel& pixel, const Brush& brush, int x, int y) {
+  pixel.farthest = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const float across = (static_cast<float>(kSpread[i]) + 0.5F) / kSamples;
+    const float down = (static_cast<float>(i) + 0.5F) / kSamples;
+    brush.paint(pixel.samples[i], static_cast<float>(x) + across, static_cast<float>(y) + down);
+    pixel.farthest = std::min(pixel.farthest, pixel.samples[i].nearness);
+  }
+}
+
+void paint_stroke(Pixels& pixels, const Rect& tile, const Stroke& stroke) {
   const Brush brush(stroke);
   const Rect area = overlap(tile, bounds_of(stroke));
   const float reach = brush.reach() + 0.75F;  // to the farthest corner of a pixel
   for (int y = area.top; y < area.bottom(); ++y) {
     for (int x = area.left; x < area.right(); ++x) {
-      const auto fx = static_cast<float>(x);
-      const auto fy = static_cast<float>(y);
-      if (brush.squared_distance(fx + 0.5F, fy + 0.5F) > reach * reach) continue;
-      auto& pixel = samples[static_cast<std::size_t>((y - tile.top) * kTile + x - tile.left)];
-      for (std::size_t i = 0; i < kSamples; ++i) {
-        brush.paint(pixel[i], fx + (static_cast<float>(kSpread[i]) + 0.5F) / kSamples,
-                    fy + (static_cast<float>(i) + 0.5F) / kSamples);
-      }
+      Pixel& pixel = pixel_at(pixels, tile, x, y);
+      if (brush.nearest() <= pixel.farthest) continue;
+      const float middle_x = static_cast<float>(x) + 0.5F;
+      const float middle_y = static_cast<float>(y) + 0.5F;
+      if (brush.squared_distance(middle_x, middle_y) > reach * reach) continue;
+      paint_pixel(pixel, brush, x, y);
     }
   }
 }
 
-void blend_tile(Canvas& canvas, const Rect& tile, const Samples& samples) {
+void blend_tile(Canvas& canvas, const Rect& tile, Pixels& pixels) {
   for (int y = tile.top; y < tile.bottom(); ++y) {
     for (int x = tile.left; x < tile.right(); ++x) {
-      const auto& pixel = samples[static_cast<std::size_t>((y - tile.top) * kTile + x - tile.left)];
       Colour sum;
       int covered = 0;
-      for (const Sample& sample : pixel) {
+      for (const Sample& sample : pixel_at(pixels, tile, x, y).samples) {
         if (!(sample.nearness > -std::numeric_limits<float>::infinity())) continue;
         sum = sum + sample.colour;
         ++covered;
@@ -229,15 +248,19 @@ std::vector<std::vector<std::uint32_t>> bin(const Rect& area, int columns, int r
 void draw_strokes(Canvas& canvas, const Rect& area, const std::vector<Stroke>& strokes) {
   const int columns = (area.width + kTile - 1) / kTile;
   const int rows = (area.height + kTile - 1) / kTile;
-  const auto tiles = bin(area, columns, rows, strokes);
+  auto tiles = bin(area, columns, rows, strokes);
   tbb::parallel_for(0, columns * rows, [&](int i) {
-    const auto& touching = tiles[static_cast<std::size_t>(i)];
+    auto& touching = tiles[static_cast<std::size_t>(i)];
     if (touching.empty()) return;
+    // The nearest first: most of a thicket is then hidden when its turn comes.
+    std::stable_sort(touching.begin(), touching.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::max(strokes[a].a.z, strokes[a].b.z) > std::max(strokes[b].a.z, strokes[b].b.z);
+    });
     const Rect tile = overlap(
         area, {area.left + i % columns * kTile, area.top + i / columns * kTile, kTile, kTile});
-    Samples samples(static_cast<std::size_t>(kTile * kTile));
-    for (const std::uint32_t stroke : touching) paint_stroke(samples, tile, strokes[stroke]);
-    blend_tile(canvas, tile, samples);
+    Pixels pixels(std::size_t{kTile} * kTile);
+    for (const std::uint32_t stroke : touching) paint_stroke(pixels, tile, strokes[stroke]);
+    blend_tile(canvas, tile, pixels);
   });
 }
 

@@ -113,8 +113,9 @@ class BinaryRows {
     // Some programs end a binary file with a line feed.
     constexpr std::size_t kTolerated = 16;
     if (bytes_left() >= std::max(last_row_bytes, kTolerated))
-      fail("the file goes on for " + std::to_string(bytes_left()) +
-           " bytes after its last row; a count in the header is too small");
+      text_detail::fail(ErrorKind::Malformed, name_, "",
+                        "goes on for " + std::to_string(bytes_left()) +
+                            " bytes after its last row; a count in the header is too small");
   }
 
   double number(Type type) {

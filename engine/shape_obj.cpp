@@ -86,6 +86,7 @@ class ObjChecker : public std::streambuf {
   /// Goes on to the next face.
   int_type underflow() override {
     while (lines_.next()) {
+      line_number_ = lines_.number();
       std::string_view line = lines_.line();
       text_detail::skip_blanks(line);
       if (line.empty() || line[0] == '#') continue;
@@ -117,15 +118,13 @@ class ObjChecker : public std::streambuf {
 
   /// The statement that begins with `line`, without comment, over all lines that it goes on for.
   std::string_view whole_statement(std::string_view line) {
-    line_number_ = lines_.number();
-    line = line.substr(0, line.find('#'));
+    line = text_detail::without_comment(line);
     if (!line.ends_with('\\')) return line;
     joined_.clear();
     while (line.ends_with('\\')) {
       joined_.append(line.substr(0, line.size() - 1)) += ' ';
       if (!lines_.next()) fail("the file ends where the line should go on");
-      line = lines_.line();
-      line = line.substr(0, line.find('#'));
+      line = text_detail::without_comment(lines_.line());
     }
     return joined_.append(line);
   }

@@ -38,8 +38,7 @@ class OffReader {
   /// To the next line that is not empty; comments do not count.
   bool next_line() {
     while (lines_.next()) {
-      line_ = lines_.line();
-      line_ = line_.substr(0, line_.find('#'));
+      line_ = text_detail::without_comment(lines_.line());
       text_detail::skip_blanks(line_);
       if (!line_.empty()) return true;
     }

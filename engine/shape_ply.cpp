@@ -52,8 +52,6 @@ class BodyReader {
   Shape read() && {
     for (const Element& e : header_.elements)
       if (e.name == "vertex") point_count_ = e.count;
-    if (point_count_ > std::numeric_limits<std::uint32_t>::max())
-      text_detail::fail(ErrorKind::Limit, name_, "header", "counts more than 4294967295 vertices");
     std::size_t last_row_bytes = 0;
     for (const Element& e : header_.elements) {
       if (e.count == 0) continue;
@@ -117,6 +115,8 @@ class BodyReader {
     for (const std::size_t i : xyz)
       if (i == kNone)
         text_detail::fail(ErrorKind::Malformed, name_, "header", "vertices without x, y and z");
+    if (e.count > std::numeric_limits<std::uint32_t>::max())
+      text_detail::fail(ErrorKind::Limit, name_, "header", "counts more than 4294967295 vertices");
     builder_.reserve(e.count, 0);
     if constexpr (Rows::kBinary) {
       const auto all_of = [&](Type type) {

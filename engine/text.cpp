@@ -45,6 +45,12 @@ std::string_view without_mark(std::string_view text) {
   return text;
 }
 
+std::string_view without_comment(std::string_view line) {
+  for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
+    if (at == 0 || is_blank(line[at - 1])) return line.substr(0, at);
+  return line;
+}
+
 bool has_control_characters(std::string_view text) {
   // Without a way out, so that the loop works on many bytes at once.
   unsigned found = 0;
@@ -62,9 +68,10 @@ void check_is_text(std::string_view text, const std::string& name) {
 }
 
 Lines::Lines(std::string_view text) : rest_(text) {
-  const std::size_t end = text.find_first_of("\r\n");
+  std::size_t end = text.find_first_of("\r\n");
   if (end == std::string_view::npos || text[end] == '\n') return;
-  if (end + 1 == text.size() || text[end + 1] != '\n') end_of_line_ = '\r';
+  end = text.find_first_not_of('\r', end);
+  if (end == std::string_view::npos || text[end] != '\n') end_of_line_ = '\r';
 }
 
 bool parse_unusual_number(std::string_view word, double& value) {

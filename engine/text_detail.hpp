@@ -21,6 +21,10 @@ std::string quoted(std::string_view word);
 /// `text` without the byte order mark of UTF-8.
 std::string_view without_mark(std::string_view text);
 
+/// `line` up to a word that begins with '#'. Within a word the sign is part of it: some programs
+/// write 1.#INF.
+std::string_view without_comment(std::string_view line);
+
 /// True if there are bytes that no text of ours holds: control characters but for blanks and ends
 /// of line.
 bool has_control_characters(std::string_view text);

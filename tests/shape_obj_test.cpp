@@ -1,6 +1,7 @@
 #include <marrow/shape_io.hpp>
 
 #include <limits>
+#include <sstream>
 
 #include "shape_text.hpp"
 
@@ -141,12 +142,12 @@ TEST_CASE("OBJ: bytes that are no OBJ are refused", "[shape_io][obj]") {
 }
 
 TEST_CASE("OBJ: faces of more corners than a byte counts", "[shape_io][obj]") {
-  std::string text, face = "f";
+  std::ostringstream vertices, face;
   for (int i = 1; i <= 1000; ++i) {
-    text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
-    face += " " + std::to_string(i);
+    vertices << "v " << i << ' ' << i * i << " 0\n";
+    face << ' ' << i;
   }
-  CHECK(obj(text + face).triangles.size() == 998);
+  CHECK(obj(vertices.str() + "f" + face.str()).triangles.size() == 998);
 }
 
 TEST_CASE("OBJ: concave faces do not leak", "[shape_io][obj]") {

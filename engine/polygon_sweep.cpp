@@ -134,7 +134,7 @@ class Sweep {
 
   /// The order of edges, and of nodes between them, along the sweep line.
   struct Below {
-    using is_transparent = void;
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): what std::set asks for
     const Sweep& sweep;
 
     bool operator()(EdgeIndex a, EdgeIndex b) const {

@@ -87,7 +87,7 @@ int mismatches(const Outline& outline, const std::vector<Outline>& triangles, in
                Random& random) {
   auto low = outline[0], high = outline[0];
   for (const auto& p : outline)
-    for (int k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], p[k]);
       high[k] = std::max(high[k], p[k]);
     }

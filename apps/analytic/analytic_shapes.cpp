@@ -83,7 +83,7 @@ constexpr std::array<Maker, kInfos.size()> kMakers{
     make_blend<buckyball_bones, 24>,
     make_plate,
     make_mug,
-    make_blend<vessel_tree_bones, 26>,
+    make_blend<vessel_tree_bones, 24>,
     make_overlap<vessel_tree_bones, 24>,
     make_blend<stick_figure_bones, 40>,
     make_overlap<stick_figure_bones, 32>,
@@ -127,9 +127,9 @@ std::span<const AnalyticShapeInfo> analytic_shapes() { return kInfos; }
 
 AnalyticShape make_analytic_shape(const std::string& name, const MakeOptions& options) {
   const std::size_t index = index_of(name);
-  if (!(options.resolution >= 0.5 && options.resolution <= 50)) {
-    throw Error(ErrorKind::Usage, "make: the resolution must be from 0.5 to 50");
-  }
+  const bool is_in_range =
+      options.resolution >= kLeastResolution && options.resolution <= kMostResolution;
+  if (!is_in_range) throw Error(ErrorKind::Usage, "make: the resolution must be from 0.5 to 50");
   Model model = kMakers[index]({std::sqrt(options.resolution)});
   for (Vec3& p : model.shape.points) p = rounded(p);
   for (CurveSkeleton::Node& node : model.truth.nodes) {

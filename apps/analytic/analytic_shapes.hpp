@@ -40,8 +40,12 @@ struct AnalyticShape {
   std::optional<int> leaves;
 };
 
+/// Coarser meshes would miss the thinnest parts; finer ones take minutes.
+inline constexpr double kLeastResolution = 0.5;
+inline constexpr double kMostResolution = 50;
+
 struct MakeOptions {
-  double resolution = 1;  ///< scales the number of faces, 0.5 to 50
+  double resolution = 1;  ///< factor on the number of faces
 };
 
 /// All shapes that make_analytic_shape() knows, in the order of this list.

@@ -12,10 +12,19 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::max();
 
+/// The flat axis, turned to stand square on the piece of the bone from `a` to `b`.
+Vec3 flat_axis_at(const Bone& bone, const Ball& a, const Ball& b) {
+  const Vec3 along = normalized(b.centre - a.centre);
+  return normalized(bone.flat_axis - along * dot(along, bone.flat_axis));
+}
+
 std::vector<RoundCone> cones_of(const Bone& bone) {
   std::vector<RoundCone> cones;
   for (std::size_t i = 0; i + 1 < bone.line.size(); ++i) {
-    cones.emplace_back(bone.line[i], bone.line[i + 1], bone.flatness, bone.flat_axis);
+    const Ball& a = bone.line[i];
+    const Ball& b = bone.line[i + 1];
+    const Vec3 axis = bone.flatness > 1 ? flat_axis_at(bone, a, b) : bone.flat_axis;
+    cones.emplace_back(a, b, bone.flatness, axis);
   }
   return cones;
 }

@@ -17,7 +17,7 @@ struct Bone {
   int from = 0, to = 0;        ///< joints
   std::vector<Ball> line;      ///< starts at joint `from`, ends at joint `to`
   double flatness = 1;         ///< the flesh is thinner by this factor along `flat_axis`, >= 1
-  Vec3 flat_axis{0, 0, 1};     ///< unit
+  Vec3 flat_axis{0, 0, 1};     ///< more or less across the line, which never runs along it
   double blend = 0;            ///< width of its blend with the bones before it, 0: a sharp crease
   bool is_centre_line = true;  ///< false: flesh only, no part of the skeleton
 };

@@ -135,7 +135,7 @@ BoneGraph quadruped_bones() {
            {{head.centre, 0.1},
             {{1.14, 2.04, 0.15}, 0.13},
             {{1.09, 2.24, 0.22}, 0.085},
-            {{1.06, 2.42, 0.26}, 0.025}},
+            {{1.06, 2.4, 0.26}, 0.05}},
            0.06);
   flatten_last(graph, 2, 2.0, {1, 0, 0.3});
   graph.bones.back().flat_axis.z = -graph.bones.back().flat_axis.z;
@@ -202,13 +202,13 @@ BoneGraph octopus_bones() {
              spline({{neck, 0.2},
                      at(0.42, 0.42, 0, 0.19),
                      at(0.95, 0.2, 0.05, 0.165),
-                     at(1.55, 0.16, -0.1, 0.135),
-                     at(2.15, 0.2, 0.02, 0.105),
-                     at(2.6, 0.38, 0.28, 0.08),
-                     at(2.72, 0.68, 0.56, 0.06),
-                     at(2.5, 0.9, 0.72, 0.047),
-                     at(2.24, 0.86, 0.7, 0.037),
-                     at(2.14, 0.68, 0.6, 0.031)},
+                     at(1.55, 0.16, -0.1, 0.14),
+                     at(2.15, 0.2, 0.02, 0.12),
+                     at(2.6, 0.38, 0.28, 0.1),
+                     at(2.72, 0.68, 0.56, 0.083),
+                     at(2.5, 0.9, 0.72, 0.068),
+                     at(2.24, 0.86, 0.7, 0.056),
+                     at(2.14, 0.68, 0.6, 0.05)},
                     8),
              0.09);
   }
@@ -231,15 +231,15 @@ BoneGraph plant_bones() {
         sample_curve(13, false, [&](double t) { return stem_at(low + (high - low) * t); });
     const int next = add_limb(graph, joint, piece.balls, 0);
     if (i > 0) {
-      const double size = 1.15 - 0.1 * i;
+      const double size = 1.1 - 0.07 * i;
       const SinCos heading = sin_cos_of_turns(0.381966 * i);  // the golden angle
       const Vec3 out{heading.cos, 0, heading.sin};
       const Vec3 base = stem_at(low).centre;
       const auto at = [&](double ahead, double up, double radius) {
         return Ball{base + (out * ahead + Vec3{0, up, 0}) * size, radius * size};
       };
-      const Ball blade = at(0.32, 0.22, 0.04);
-      const int stalk = add_limb(graph, joint, spline({at(0, 0, 0.045), blade}, 4), 0.03);
+      const Ball blade = at(0.32, 0.22, 0.05);
+      const int stalk = add_limb(graph, joint, spline({at(0, 0, 0.05), blade}, 4), 0.03);
       add_limb(graph, stalk,
                spline({at(0.32, 0.22, 0.11), at(0.7, 0.42, 0.25), at(1.1, 0.52, 0.25),
                        at(1.45, 0.5, 0.11)},

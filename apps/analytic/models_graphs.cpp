@@ -62,8 +62,9 @@ struct Sprout {
 void grow(BoneGraph& graph, const Sprout& sprout, int levels, Dice& dice) {
   const Vec3 start = graph.joints[static_cast<std::size_t>(sprout.joint)];
   const Vec3 up = cross(sprout.direction, sprout.side);
-  const Vec3 bulge =
-      (sprout.side * dice.between(-1, 1) + up * dice.between(-1, 1)) * (sprout.length * 0.08);
+  const double sideways = dice.between(-1, 1);  // one roll a line: operands have no order
+  const double upward = dice.between(-1, 1);
+  const Vec3 bulge = (sprout.side * sideways + up * upward) * (sprout.length * 0.08);
   const double end_radius = sprout.radius * 0.85;
   const Vec3 middle = start + sprout.direction * (sprout.length / 2) + bulge;
   const Vec3 end = start + sprout.direction * sprout.length;
@@ -80,10 +81,9 @@ void grow(BoneGraph& graph, const Sprout& sprout, int levels, Dice& dice) {
     const Vec3 direction = sprout.direction * turn.cos + sprout.side * turn.sin;
     const Vec3 across = normalized(sprout.side * turn.cos - sprout.direction * turn.sin);
     const Vec3 side = across * roll.cos + cross(direction, across) * roll.sin;
-    grow(graph,
-         {tip, normalized(direction), side, sprout.length * dice.between(0.7, 0.82),
-          end_radius * 0.8},
-         levels - 1, dice);
+    const double next_length = sprout.length * dice.between(0.7, 0.82);
+    grow(graph, {tip, normalized(direction), side, next_length, end_radius * 0.8}, levels - 1,
+         dice);
   }
 }
 

@@ -92,7 +92,11 @@ FieldRange RoundCone::range(const Vec3& centre, double radius) const {
 
 double RoundCone::inner_radius(const Vec3& p) const {
   if (extra_ == 0) return -contact(round_, p).distance;
-  return -contact(stretched_, stretched(p)).distance / (1 + extra_);
+  // Half the thickness of the section at `p`, seen square to the side that tapers.
+  const double factor = 1 + extra_;
+  const double taper = stretched_.tangent * stretched_.tangent;
+  const double lean = std::sqrt((1 + taper) / (1 + taper / (factor * factor)));
+  return -contact(stretched_, stretched(p)).distance * lean / factor;
 }
 
 }  // namespace marrow

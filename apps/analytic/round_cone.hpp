@@ -17,8 +17,8 @@ class RoundCone {
   FieldSample sample(const Vec3& p) const;
   FieldRange range(const Vec3& centre, double radius) const;
 
-  /// Radius of a ball around `p` that lies inside, the largest one for `p` on the axis of the cone;
-  /// not positive outside.
+  /// Radius of a ball around `p` that lies inside, the largest one (of a flat cone, nearly
+  /// so) for `p` on the axis; not positive outside.
   double inner_radius(const Vec3& p) const;
 
  private:

@@ -86,8 +86,8 @@ std::vector<Ring> rings_of(const Curve& curve, int sides) {
   std::vector<Ring> tube;
   for (std::size_t i = 0; i < curve.balls.size(); ++i) {
     const Ball& ball = curve.balls[i];
-    const double s =
-        -slopes.taper[i];  // the ball touches its envelope this far ahead of its middle
+    // The ball touches its envelope in a ring this far ahead of its middle.
+    const double s = -slopes.taper[i];
     const Vec3& t = slopes.tangent[i];
     tube.push_back({ball.centre + t * (ball.radius * s), ball.radius * std::sqrt(1 - s * s),
                     normal[i], cross(t, normal[i])});

@@ -1,8 +1,9 @@
-#include <algorithm>
-#include <cmath>
 #include <marrow/error.hpp>
 #include <marrow/file_io.hpp>
 #include <marrow/skeleton_io.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 #include "skeleton_text_detail.hpp"
 

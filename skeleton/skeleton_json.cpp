@@ -1,5 +1,6 @@
 // Our own format: versioned, one node per line, so that two files can be compared by `diff`.
 #include <marrow/error.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include "skeleton_text_detail.hpp"

@@ -1,6 +1,7 @@
 // Ascii PLY with an element `edge`, as MeshLab and ParaView know it.
-#include <array>
 #include <marrow/error.hpp>
+
+#include <array>
 
 #include "skeleton_text_detail.hpp"
 

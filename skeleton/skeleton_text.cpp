@@ -1,7 +1,8 @@
+#include <marrow/error.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <marrow/error.hpp>
 #include <utility>
 
 #include "skeleton_text_detail.hpp"

@@ -1,8 +1,9 @@
 // Lines, words and numbers of the text formats of curve-skeletons.
 #pragma once
 
-#include <cstdint>
 #include <marrow/curve_skeleton.hpp>
+
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

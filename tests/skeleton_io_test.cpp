@@ -1,8 +1,9 @@
+#include <marrow/error.hpp>
+#include <marrow/skeleton_io.hpp>
+
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <marrow/error.hpp>
-#include <marrow/skeleton_io.hpp>
 
 #include "catch.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <marrow/curve_skeleton.hpp>
+
 #include <string>
 #include <string_view>
 

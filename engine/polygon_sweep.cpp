@@ -175,8 +175,8 @@ class Sweep {
     const auto [first, end] = edges_ending_in(v);
     const EdgeIndex above = end == line_.end() ? kNone : *end;
     const EdgeIndex below = first == line_.begin() ? kNone : *std::prev(first);
+    // On an edge; the search has gone past all edges below v.
     if (above != kNone && height(above, v) >= 0) return false;
-    if (below != kNone && height(below, v) <= 0) return false;
     std::sort(right.begin(), right.end(), line_.key_comp());
     if (!stay_apart(below, right, above)) return false;
 

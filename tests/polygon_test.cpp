@@ -115,8 +115,12 @@ void check_simple(const Outline& outline) {
   const auto cut = cut_polygon(corners);
   CHECK(cut.extra_points.empty());
   CHECK(cut.triangles.size() == outline.size() - 2);
-  CHECK(covered_area(triangles_of(cut, corners)) ==
-        Approx(std::abs(area_of(outline))).epsilon(1e-6));
+  const auto triangles = triangles_of(cut, corners);
+  CHECK(covered_area(triangles) == Approx(std::abs(area_of(outline))).epsilon(1e-6));
+  // They turn the way it turns.
+  double sum = 0;
+  for (const auto& t : triangles) sum += area_of(t);
+  CHECK(sum == Approx(area_of(outline)).epsilon(1e-6));
 }
 
 /// A rectangle with `teeth` slits from above.

@@ -35,6 +35,7 @@ TEST_CASE("OBJ: vertices and faces in all their forms", "[shape_io][obj]") {
 TEST_CASE("OBJ: relative indices count from where they stand", "[shape_io][obj]") {
   const Shape shape = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -3 -2\n");
   CHECK(shape.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}});
+  CHECK(obj("v 0 0 0\rv 1 0 0\rv 0 1 0\rf -3 -2 -1\rv 5 5 5\rf -4 -3 -2\r") == shape);
 }
 
 TEST_CASE("OBJ: weights and colours behind a vertex are passed over", "[shape_io][obj]") {

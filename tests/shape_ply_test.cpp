@@ -130,6 +130,12 @@ TEST_CASE("PLY: binary with all types and more than is known", "[shape_io][ply]"
     face({0, 1, 2}), face({}), face({0, 1}), face({0, 2, 3});
     b.add<std::int32_t>({3});
     CHECK(ply(header + b.text()) == kTwoTriangles);
+    for (std::size_t size = 0; size < b.text().size(); ++size) {
+      const Refusal refusal = refusal_of(header + b.text().substr(0, size), ShapeFormat::Ply);
+      INFO(size << " " << refusal.words);
+      CHECK(refusal.kind == ErrorKind::Malformed);
+      CHECK_FALSE(refusal.says("goes on"));
+    }
   }
 }
 

@@ -23,7 +23,7 @@ threads_of() {
 }
 
 most=0
-for name in capsule torus trefoil star vessel_tree quadruped; do
+for name in capsule torus trefoil star vessel-tree quadruped; do
   "$marrow" make "$name" -o "$work/shape.ply"
   for threads in 1 2 3 8 8; do
     used=$(threads_of "$marrow" extract "$work/shape.ply" -o "$work/$threads.skel" \

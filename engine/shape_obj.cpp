@@ -62,10 +62,8 @@ class ObjChecker : public std::streambuf {
 
   /// The face of the line that has just been let through.
   void add_face(std::span<const tinyobj::index_t> corners) {
-    if (corners.size() != corner_count_)
-      text_detail::fail(ErrorKind::Internal, name_, std::to_string(line_number_),
-                        "tinyobjloader found " + std::to_string(corners.size()) + " corners, not " +
-                            std::to_string(corner_count_));
+    if (corners.size() != corner_count_) misread(corners.size());
+    corner_count_ = 0;
     face_.clear();
     for (const tinyobj::index_t& corner : corners) face_.push_back(resolve(corner.vertex_index));
     builder_.add_face(face_);
@@ -85,6 +83,7 @@ class ObjChecker : public std::streambuf {
  protected:
   /// Goes on to the next face.
   int_type underflow() override {
+    if (corner_count_ != 0) misread(0);
     while (lines_.next()) {
       line_number_ = lines_.number();
       std::string_view line = lines_.line();
@@ -107,6 +106,12 @@ class ObjChecker : public std::streambuf {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     text_detail::fail(ErrorKind::Malformed, name_, std::to_string(line_number_), what);
+  }
+
+  [[noreturn]] void misread(std::size_t corners) const {
+    text_detail::fail(ErrorKind::Internal, name_, std::to_string(line_number_),
+                      "tinyobjloader found " + std::to_string(corners) + " corners, not " +
+                          std::to_string(corner_count_));
   }
 
   [[noreturn]] void out_of_range(std::int64_t index) const {
@@ -188,7 +193,7 @@ class ObjChecker : public std::streambuf {
   ShapeBuilder builder_;
   std::uint64_t line_number_ = 0;  // where the last statement began
   std::string joined_, passed_;    // statements that are not as they stand in the file
-  std::size_t corner_count_ = 0;   // of the face that has been let through
+  std::size_t corner_count_ = 0;   // of a face that has been let through and is not back yet
   std::vector<std::uint32_t> face_;
   std::uint32_t highest_index_ = 0;
   std::uint64_t highest_index_line_ = 0;

@@ -25,8 +25,9 @@ build release marrow_program
 marrow=$root/build/release/bin/marrow
 out=$root/build/demo
 mkdir -p "$out"
+cd "$out"
 if [ -z "$shape" ]; then
-  shape=$out/quadruped.ply
+  shape=quadruped.ply
   say "making a four-legged animal"
   "$marrow" make quadruped -o "$shape"
 fi
@@ -37,17 +38,14 @@ say "the shape"
 "$marrow" info "$shape"
 
 say "extracting its curve-skeleton"
-"$marrow" extract "$shape" -o "$out/$name.skeleton.obj"
-"$marrow" extract "$shape" -o "$out/$name.skel" --quiet
-"$marrow" info "$out/$name.skeleton.obj"
+"$marrow" extract "$shape" -o "$name.skeleton.obj"
+"$marrow" extract "$shape" -o "$name.skel" --quiet
+"$marrow" info "$name.skeleton.obj"
 
 say "drawing the picture"
-"$marrow" render "$shape" "$out/$name.skeleton.obj" -o "$out/$name.png"
+"$marrow" render "$shape" "$name.skeleton.obj" -o "$name.png"
 
-cat <<END
-
-Done. Look at:
-  $out/$name.png            the shape and the skeleton inside it, from four sides
-  $out/$name.skeleton.obj   the skeleton: v x y z radius, l i j
-  $out/$name.skel           the same in the format of the paper's authors
-END
+say "done; look at"
+echo "the shape and the skeleton inside it:       $out/$name.png"
+echo "the skeleton (v x y z radius, l i j):       $out/$name.skeleton.obj"
+echo "the same in the format of the authors:      $out/$name.skel"

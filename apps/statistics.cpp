@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bounds.hpp"
-#include "shape_summary.hpp"
+#include <marrow/bounds.hpp>
+#include <marrow/shape_summary.hpp>
 
 namespace marrow {
 

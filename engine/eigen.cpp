@@ -1,8 +1,8 @@
-#include "eigen_detail.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "eigen_detail.hpp"
 
 namespace marrow {
 

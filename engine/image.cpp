@@ -20,6 +20,12 @@ void or_shifted(BitImage::Word* target, const BitImage::Word* source, int words,
   }
 }
 
+/// The bits of a row's last word that lie in the image.
+BitImage::Word last_word_mask(const BitImage& image) {
+  const int used = image.width() % 64;
+  return used == 0 ? ~BitImage::Word{0} : (BitImage::Word{1} << used) - 1;
+}
+
 }  // namespace
 
 std::size_t count(const BitImage& image) {
@@ -28,11 +34,19 @@ std::size_t count(const BitImage& image) {
   return sum;
 }
 
+BitImage complement(const BitImage& image) {
+  BitImage result(image.width(), image.height());
+  const int words = image.words_per_row();
+  for (int y = 0; y < image.height() && words > 0; ++y) {
+    for (int i = 0; i < words; ++i) result.row(y)[i] = ~image.row(y)[i];
+    result.row(y)[words - 1] &= last_word_mask(image);
+  }
+  return result;
+}
+
 BitImage dilate(const BitImage& image, double radius) {
   BitImage result(image.width(), image.height());
   const int reach = static_cast<int>(radius);
-  const int last = image.width() % 64;
-  const BitImage::Word tail = last == 0 ? ~BitImage::Word{0} : (BitImage::Word{1} << last) - 1;
   for (int dy = -reach; dy <= reach; ++dy) {
     const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy));
     for (int y = 0; y < image.height(); ++y) {
@@ -40,7 +54,8 @@ BitImage dilate(const BitImage& image, double radius) {
       if (from < 0 || from >= image.height()) continue;
       for (int dx = -half; dx <= half; ++dx)
         or_shifted(result.row(y), image.row(from), image.words_per_row(), dx);
-      if (image.words_per_row() > 0) result.row(y)[image.words_per_row() - 1] &= tail;
+      if (image.words_per_row() > 0)
+        result.row(y)[image.words_per_row() - 1] &= last_word_mask(image);
     }
   }
   return result;

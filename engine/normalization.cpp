@@ -1,12 +1,12 @@
 #include <marrow/error.hpp>
 #include <marrow/normalization.hpp>
 
-#include "eigen_detail.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include "eigen_detail.hpp"
 
 namespace marrow {
 
@@ -14,9 +14,9 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-constexpr double kLattice = 1 << 20;     // cells along the longest side, for exact sums
-constexpr double kSameMoment = 1e-5;     // relative gap under which two moments coincide
-constexpr double kNoSkew = 1e-4;         // third moment, relative, under which it vanishes
+constexpr double kLattice = 1 << 20;  // cells along the longest side, for exact sums
+constexpr double kSameMoment = 1e-5;  // relative gap under which two moments coincide
+constexpr double kNoSkew = 1e-4;      // third moment, relative, under which it vanishes
 
 struct Box {
   Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -28,9 +28,7 @@ struct Box {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   Vec3 center() const { return (low + high) * 0.5; }
-  double longest() const {
-    return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  }
+  double longest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };
 
 std::vector<bool> used_points(const Shape& shape) {
@@ -124,8 +122,7 @@ void add_skew(Int128& sum, double weight, std::array<double, 3> s) {
 /// The surface on an integer lattice, for sums that no order can change.
 class LatticeSurface {
  public:
-  LatticeSurface(const Shape& shape, const std::vector<bool>& used, double prescale,
-                 const Box& box)
+  LatticeSurface(const Shape& shape, const std::vector<bool>& used, double prescale, const Box& box)
       : shape_(shape), points_(shape.points.size()) {
     const double scale = kLattice / box.longest();
     const Vec3 center = box.center();
@@ -173,9 +170,9 @@ class LatticeSurface {
   }
   double along(std::uint32_t i, const Vec3& mean, const Vec3& axis) const {
     const LatticePoint& p = points_[i];
-    return dot(Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)} -
-                   mean,
-               axis);
+    return dot(
+        Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)} - mean,
+        axis);
   }
 
   const Shape& shape_;
@@ -250,18 +247,26 @@ std::uint64_t position_hash(const Vec3& p) {
   return h;
 }
 
-/// Whether every edge, points welded by position, has an even number of triangles: the exclusive or
-/// of one hash per edge is then zero, and for other shapes it is not (but once in 2^64).
-bool is_closed(const Shape& shape) {
+/// Whether the surface closes, points welded by position: the exclusive or of one hash per edge
+/// vanishes when every edge has an even number of triangles, the signed sum when every edge is run
+/// through as often in either direction; for other shapes they do so but once in 2^64.
+struct Closure {
+  bool closed = false, oriented = false;
+};
+
+Closure closure_of(const Shape& shape) {
   std::vector<std::uint64_t> hash(shape.points.size());
   for (std::size_t i = 0; i < hash.size(); ++i) hash[i] = position_hash(shape.points[i]);
-  std::uint64_t parity = 0;
+  std::uint64_t parity = 0, sum = 0;
   for (const auto& t : shape.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint64_t a = hash[t[k]], b = hash[t[(k + 1) % 3]];
-      if (a != b) parity ^= mix(std::min(a, b) + mix(std::max(a, b)));
+      if (a == b) continue;
+      const std::uint64_t edge = mix(std::min(a, b) + mix(std::max(a, b)));
+      parity ^= edge;
+      sum += a < b ? edge : -edge;
     }
-  return parity == 0;
+  return {parity == 0, parity == 0 && sum == 0};
 }
 
 }  // namespace
@@ -314,7 +319,9 @@ NormalizedShape apply(const Normalization& normalization, const Shape& shape) {
     result.triangles.push_back({renumbered[t[0]], renumbered[t[1]], renumbered[t[2]]});
   result.low = box.low;
   result.high = box.high;
-  result.closed = is_closed(shape);
+  const Closure closure = closure_of(shape);
+  result.closed = closure.closed;
+  result.oriented = closure.oriented;
   return result;
 }
 

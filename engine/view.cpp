@@ -4,8 +4,9 @@ namespace marrow {
 
 namespace {
 
-// Vertices of the icosahedron: (0, 1, phi) normalised and its cyclic permutations; then the midpoints
-// of its edges, normalised: the axes, and ((phi-1)/2, phi/2, 1/2), its cyclic permutations and signs.
+// Vertices of the icosahedron: (0, 1, phi) normalised and its cyclic permutations; then the
+// midpoints of its edges, normalised: the axes, and ((phi-1)/2, phi/2, 1/2), its cyclic
+// permutations and signs.
 constexpr double a = 0.52573111211913360603;  // 1 / sqrt(1 + phi^2)
 constexpr double b = 0.85065080835203993218;  // phi / sqrt(1 + phi^2)
 constexpr double c = 0.5;

@@ -9,8 +9,8 @@ namespace marrow {
 
 namespace {
 
-constexpr double kFixed = 1 << 30;      // fixed point of positions: |position| <= 2
-constexpr std::uint32_t kNone = 0;      // no cell yet
+constexpr double kFixed = 1 << 30;       // fixed point of positions: |position| <= 2
+constexpr std::uint32_t kNone = 0;       // no cell yet
 constexpr std::uint32_t kPending = ~0u;  // a thread is fetching one
 
 /// Zeroed memory that costs nothing until it is touched.
@@ -33,7 +33,9 @@ void raise_to(std::atomic<std::uint32_t>& value, std::uint32_t candidate) {
 VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution) {
   const Vec3 extent = high - low;
   const double size = std::max({extent.x, extent.y, extent.z}) / resolution;
-  const auto voxels = [size](double e) { return static_cast<int>(std::ceil(e / size - 1e-9)) + 4; };
+  const auto voxels = [size](double e) {
+    return (static_cast<int>(std::ceil(e / size - 1e-9)) + 4) | 1;
+  };
   VoxelGrid grid{{}, size, voxels(extent.x), voxels(extent.y), voxels(extent.z)};
   const Vec3 side = Vec3{double(grid.nx), double(grid.ny), double(grid.nz)} * size;
   grid.origin = (low + high - side) * 0.5;
@@ -84,9 +86,8 @@ VoteGrid VoteAccumulator::finish() && {
     const Vec3 sum{static_cast<double>(c.x.load()), static_cast<double>(c.y.load()),
                    static_cast<double>(c.z.load())};
     const std::uint32_t count = c.count.load();
-    result.votes.push_back({voxel, count,
-                            static_cast<ChamferDistance>(0xffffu - c.inverse_radius.load()), 0,
-                            sum / (count * kFixed)});
+    const auto radius = static_cast<ChamferDistance>(0xffffu - c.inverse_radius.load());
+    result.votes.push_back({voxel, count, radius, 0, 0, sum / (count * kFixed)});
   }
   return result;
 }

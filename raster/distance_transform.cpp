@@ -30,8 +30,7 @@ DistanceMap distance_transform(const BitImage& silhouette) {
   for (int y = height; y >= 1; --y) relax_row(padded.row(y), padded.row(y + 1), width, -1);
   DistanceMap map(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      map(x, y) = static_cast<ChamferDistance>(padded(x + 1, y + 1));
+    for (int x = 0; x < width; ++x) map(x, y) = static_cast<ChamferDistance>(padded(x + 1, y + 1));
   return map;
 }
 

@@ -1,11 +1,11 @@
-#include "thinning_detail.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <queue>
 #include <tuple>
 #include <vector>
+
+#include "thinning_detail.hpp"
 
 namespace marrow {
 
@@ -26,8 +26,8 @@ class ThinSet {
   int neighbours(std::uint32_t i, std::array<std::uint32_t, 8>& out) const {
     const std::ptrdiff_t w = width_;
     int count = 0;
-    for (const std::ptrdiff_t o : {std::ptrdiff_t{1}, -w, std::ptrdiff_t{-1}, w, 1 - w, -1 - w,
-                                   w - 1, w + 1}) {
+    for (const std::ptrdiff_t o :
+         {std::ptrdiff_t{1}, -w, std::ptrdiff_t{-1}, w, 1 - w, -1 - w, w - 1, w + 1}) {
       const auto n = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + o);
       if (set_.pixels()[n]) out[static_cast<std::size_t>(count++)] = n;
     }

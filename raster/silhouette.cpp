@@ -103,9 +103,7 @@ void fill_triangle(BitImage& mask, LatticeTriangle& t, int shift) {
   for (int y = t.low; y <= t.high; ++y) fill_row(mask, t, y, shift);
 }
 
-int nearest_pixel(int coordinate, int shift) {
-  return (coordinate + (1 << shift) / 2) >> shift;
-}
+int nearest_pixel(int coordinate, int shift) { return (coordinate + (1 << shift) / 2) >> shift; }
 
 /// Sets the pixels along an edge that `near_mask` does not hold; the order of its ends is nothing.
 void trace_edge(BitImage& trace, const BitImage& near_mask, int x0, int y0, int x1, int y1,
@@ -125,8 +123,7 @@ std::vector<std::uint8_t> uncovered_points(const SnappedPoints& points, const Bi
   std::vector<std::uint8_t> uncovered(points.x.size());
   bool any = false;
   for (std::size_t i = 0; i < uncovered.size(); ++i) {
-    uncovered[i] =
-        !near_mask(nearest_pixel(points.x[i], shift), nearest_pixel(points.y[i], shift));
+    uncovered[i] = !near_mask(nearest_pixel(points.x[i], shift), nearest_pixel(points.y[i], shift));
     any |= uncovered[i] != 0;
   }
   if (!any) uncovered.clear();
@@ -196,10 +193,7 @@ void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
 
 void fill_small_holes(BitImage& mask, double radius) {
   const int width = mask.width(), height = mask.height();
-  BitImage background(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      if (!mask(x, y)) background.set(x, y);
+  const BitImage background = complement(mask);
   const DistanceMap depth = distance_transform(background);
   BitImage open = background;  // not yet visited
   std::vector<std::pair<int, int>> part;

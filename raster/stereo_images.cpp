@@ -53,9 +53,10 @@ PlaneMoments point_moments(const SnappedPoints& points) {
 }
 
 ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
-  ViewImage image{plane, draw_silhouette(shape, plane, resolution), {}, {}};
+  ViewImage image{plane, draw_silhouette(shape, plane, resolution), {}, {}, {}};
   image.distance = distance_transform(image.silhouette);
   image.axis = medial_axis(image.distance);
+  image.to_axis = distance_transform(complement(to_image(image.axis, resolution)));
   return image;
 }
 

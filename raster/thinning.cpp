@@ -1,13 +1,13 @@
 // Thinning after Arcelli and Sanniti di Baja: "A width-independent fast thinning algorithm" and
 // "Ridge points in Euclidean distance maps": pixels go in the order of their distance, centres of
 // maximal discs stay.
-#include "thinning_detail.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <vector>
+
+#include "thinning_detail.hpp"
 
 namespace marrow {
 

@@ -1,10 +1,10 @@
 #include <marrow/branch_collapsing.hpp>
 
-#include "branch_graph_detail.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <tuple>
+
+#include "branch_graph_detail.hpp"
 
 namespace marrow {
 
@@ -34,26 +34,27 @@ std::optional<double> closeness(const BranchGraph& graph, const BranchGraph::Lin
 
 VoteGraph::Node barycentre(const BranchGraph::Vertex& a, const BranchGraph::Vertex& b) {
   VoteGraph::Node node = a.node;
-  node.position =
-      (a.node.position * a.merged + b.node.position * b.merged) / (a.merged + b.merged);
+  node.position = (a.node.position * a.merged + b.node.position * b.merged) / (a.merged + b.merged);
   node.radius = std::min(a.node.radius, b.node.radius);
   node.support = std::min(a.node.support, b.node.support);
   return node;
 }
 
+double cycle_length(const BranchGraph& graph, int link) {
+  double sum = 0;
+  for (const int l : graph.shortest_cycle(link)) sum += graph.length(graph.link(l));
+  return sum;
+}
+
 /// The least supported link on a cycle that is a weld or closes a short cycle.
 std::optional<int> worst_cycle_link(const BranchGraph& graph, double voxel) {
-  const auto bridge = graph.bridges();
   std::optional<int> worst;
   std::tuple<int, double> least;
-  for (int l = 0; l < static_cast<int>(graph.links().size()); ++l) {
-    const auto& link = graph.link(l);
-    if (!link.alive || bridge[static_cast<std::size_t>(l)]) continue;
-    if (link.a == link.b && graph.degree(link.a) == 2) continue;  // a part that is a ring
-    const double length = graph.length(link), limit = kShortestCycleVoxels * voxel;
-    const int support = graph.least_support(link);
+  for (const int l : graph.links_on_cycles()) {
+    const double length = graph.length(graph.link(l));
+    const int support = graph.least_support(graph.link(l));
     const bool weld = length <= kWeldVoxels * voxel && support < kWeldSupport;
-    if (!weld && length + graph.shortest_way_around(l, limit) >= limit) continue;
+    if (!weld && cycle_length(graph, l) >= kShortestCycleVoxels * voxel) continue;
     if (!worst || std::tuple(support, length) < least) worst = l, least = {support, length};
   }
   return worst;
@@ -66,7 +67,7 @@ VoteGraph collapse_branches(const VoteGraph& graph, double voxel) {
   for (;;) {
     int nearest = -1;
     double least = 1;
-    for (int l = 0; l < static_cast<int>(g.links().size()); ++l)
+    for (int l = 0; l < g.link_count(); ++l)
       if (const auto c = closeness(g, g.link(l), voxel); c && *c < least) least = *c, nearest = l;
     if (nearest < 0) return g.result();
     g.contract(nearest, barycentre(g.at(g.link(nearest).a), g.at(g.link(nearest).b)));

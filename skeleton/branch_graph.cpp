@@ -1,7 +1,9 @@
-#include "branch_graph_detail.hpp"
-
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <queue>
+
+#include "branch_graph_detail.hpp"
 
 namespace marrow {
 
@@ -30,11 +32,37 @@ BranchGraph::BranchGraph(const VoteGraph& graph) {
     if (!in_chain[n]) vertex_at(n);  // a part of one node
 }
 
+int BranchGraph::cycle_count() const {
+  // Every vertex that is left lies in the part of a root; each link beyond a spanning forest closes
+  // one.
+  std::vector<int> parent(vertices_.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int v) {
+    while (parent[static_cast<std::size_t>(v)] != v) v = parent[static_cast<std::size_t>(v)];
+    return v;
+  };
+  int cycles = 0;
+  for (const auto& l : links_) {
+    if (!l.alive) continue;
+    const int a = root(l.a), b = root(l.b);
+    if (a == b) ++cycles;
+    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  return cycles;
+}
+
+std::vector<Vec3> BranchGraph::polyline(const Link& link) const {
+  std::vector<Vec3> line{at(link.a).node.position};
+  for (const auto& n : link.inner) line.push_back(n.position);
+  line.push_back(at(link.b).node.position);
+  return line;
+}
+
 double BranchGraph::length(const Link& link) const {
+  const auto line = polyline(link);
   double sum = 0;
-  Vec3 previous = at(link.a).node.position;
-  for (const auto& n : link.inner) sum += distance(previous, n.position), previous = n.position;
-  return sum + distance(previous, at(link.b).node.position);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += distance(line[i], line[i + 1]);
+  return sum;
 }
 
 int BranchGraph::least_support(const Link& link) const {
@@ -136,29 +164,50 @@ std::vector<bool> BranchGraph::bridges() const {
   return bridge;
 }
 
-double BranchGraph::shortest_way_around(int l, double limit) const {
+std::vector<int> BranchGraph::links_on_cycles() const {
+  const auto bridge = bridges();
+  std::vector<int> result;
+  for (int l = 0; l < link_count(); ++l)
+    if (link(l).alive && !bridge[static_cast<std::size_t>(l)] && !is_ring(link(l)))
+      result.push_back(l);
+  return result;
+}
+
+std::vector<int> BranchGraph::shortest_way_around(int l) const {
   const int from = link(l).a, to = link(l).b;
-  if (from == to) return 0;
-  std::vector<double> best(vertices_.size(), limit);
+  std::vector<double> best(vertices_.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> via(vertices_.size(), -1);
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
       queue;
+  best[static_cast<std::size_t>(from)] = 0;
   queue.push({0, from});
-  while (!queue.empty()) {
+  while (!queue.empty() && from != to) {
     const auto [d, v] = queue.top();
     queue.pop();
-    if (v == to) return d;
+    if (v == to) break;
     if (d > best[static_cast<std::size_t>(v)]) continue;
     for (const int e : at(v).links) {
       if (e == l) continue;
-      const int n = link(e).other(v);
+      const auto n = static_cast<std::size_t>(link(e).other(v));
       const double through = d + length(link(e));
-      if (through < best[static_cast<std::size_t>(n)]) {
-        best[static_cast<std::size_t>(n)] = through;
-        queue.push({through, n});
-      }
+      if (through >= best[n]) continue;
+      best[n] = through;
+      via[n] = e;
+      queue.push({through, static_cast<int>(n)});
     }
   }
-  return limit;
+  std::vector<int> way;
+  for (int v = to; via[static_cast<std::size_t>(v)] >= 0 && v != from;
+       v = link(way.back()).other(v))
+    way.push_back(via[static_cast<std::size_t>(v)]);
+  return way;
+}
+
+std::vector<int> BranchGraph::shortest_cycle(int l) const {
+  std::vector<int> cycle{l};
+  const auto way = shortest_way_around(l);
+  cycle.insert(cycle.end(), way.begin(), way.end());
+  return cycle;
 }
 
 VoteGraph BranchGraph::result() const {

@@ -11,8 +11,8 @@ class BranchGraph {
  public:
   struct Vertex {
     VoteGraph::Node node;
-    int merged = 1;           ///< joints that this one stands for
-    std::vector<int> links;   ///< a loop is listed twice
+    int merged = 1;          ///< joints that this one stands for
+    std::vector<int> links;  ///< a loop is listed twice
   };
   struct Link {
     int a = 0, b = 0;                    ///< vertices; equal for a loop
@@ -24,27 +24,39 @@ class BranchGraph {
 
   explicit BranchGraph(const VoteGraph& graph);
 
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<Link>& links() const { return links_; }
+  int link_count() const { return static_cast<int>(links_.size()); }  ///< cut ones included
   int degree(int vertex) const { return static_cast<int>(at(vertex).links.size()); }
   bool is_joint(int vertex) const { return degree(vertex) >= 3; }
   const Vertex& at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
   const Link& link(int l) const { return links_[static_cast<std::size_t>(l)]; }
 
+  /// A part that is one loop, without a joint.
+  bool is_ring(const Link& link) const { return link.a == link.b && degree(link.a) == 2; }
+  /// Independent cycles.
+  int cycle_count() const;
+
+  /// Positions along a link, both ends included.
+  std::vector<Vec3> polyline(const Link& link) const;
   double length(const Link& link) const;
   /// Least support of the inner nodes; of the ends where there are none.
   int least_support(const Link& link) const;
 
   /// Takes a link out; an end left with two links is no vertex any more.
   void cut(int link);
-  /// Contracts a link between two vertices: its inner nodes go, the ends become one vertex at `node`.
+  /// Contracts a link between two vertices: its inner nodes go, the ends become one vertex at
+  /// `node`.
   void contract(int link, const VoteGraph::Node& node);
 
   /// For every link, whether taking it out would fall a part in two.
   std::vector<bool> bridges() const;
-  /// Length of the shortest way from one end of a link to the other without it, if below `limit`;
-  /// else `limit`.
-  double shortest_way_around(int link, double limit) const;
+  /// Links that are no bridges, without parts that are rings: one can be cut and leave its part
+  /// whole.
+  std::vector<int> links_on_cycles() const;
+  /// The links of the shortest way from one end of a link to the other without it; empty for a loop
+  /// and for a bridge.
+  std::vector<int> shortest_way_around(int link) const;
+  /// The shortest cycle through a link, the link first.
+  std::vector<int> shortest_cycle(int link) const;
 
   VoteGraph result() const;
 

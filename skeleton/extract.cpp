@@ -1,11 +1,13 @@
-// Livesu, Guggeri, Scateni: "Reconstructing the Curve-Skeletons of 3D Shapes Using the Visual Hull",
-// IEEE TVCG 18(11), 2012. Section numbers are the paper's.
+// Livesu, Guggeri, Scateni: "Reconstructing the Curve-Skeletons of 3D Shapes Using the Visual
+// Hull", IEEE TVCG 18(11), 2012. Section numbers are the paper's.
 #include <marrow/branch_collapsing.hpp>
+#include <marrow/cycle_check.hpp>
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
 #include <marrow/hull_topology.hpp>
 #include <marrow/perceptual_core.hpp>
 #include <marrow/region_growing.hpp>
+#include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
 #include <marrow/stereo_matching.hpp>
 
@@ -39,9 +41,15 @@ void for_each_view(std::size_t count, int threads, Task task) {
   if (threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{});
-  });
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
+}
+
+/// The genus of a shape that is one closed manifold: its skeleton has no more cycles.
+std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normalized_shape) {
+  if (!normalized_shape.oriented) return {};
+  const ShapeSummary summary = summarize(shape);
+  if (summary.components != 1 || !summary.handles) return {};
+  return static_cast<int>(*summary.handles);
 }
 
 }  // namespace
@@ -96,13 +104,17 @@ ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& option
 
   // In place of 4.4.3: the topology of the visual hull.
   stage("hull topology", 0.72);
-  t.solid = supported_solid(t.votes.grid, hull_solid(t.votes.grid, t.views), t.cleaned, t.core);
+  const VoxelGrid& grid = t.votes.grid;
+  t.solid = supported_solid(grid, majority(grid, hull_solid(grid, t.views)), t.cleaned, t.core);
   const VoxelSet thin_set = thin_by_votes(t.cleaned, t.solid, t.core);
   t.thinned = prune_leaves(graph_of(t.cleaned, t.solid, thin_set, pixel), voxel);
 
   // 4.4.2: branch collapse.
   stage("branch collapse", 0.95);
   t.collapsed = cut_short_cycles(collapse_branches(t.thinned, voxel), voxel);
+  t.collapsed =
+      cut_false_cycles(t.collapsed, normalized_shape, voxel, most_cycles(shape, normalized_shape));
+  t.collapsed = prune_leaves(t.collapsed, voxel);
 
   // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)
   stage("smoothing", 0.97);

@@ -1,10 +1,10 @@
 #include <marrow/homotopic_thinning.hpp>
 
-#include "simple_point_detail.hpp"
-
 #include <algorithm>
 #include <array>
 #include <queue>
+
+#include "simple_point_detail.hpp"
 
 namespace marrow {
 

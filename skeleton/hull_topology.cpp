@@ -4,16 +4,18 @@
 #include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
 
-#include "live_graph_detail.hpp"
-
 #include <algorithm>
 #include <tuple>
+
+#include "live_graph_detail.hpp"
+#include "voxel_parts_detail.hpp"
 
 namespace marrow {
 
 namespace {
 
 constexpr double kLeastPart = 0.02;        // of the greatest part's sum of support
+constexpr int kBridgeSupport = 26;         // of 42 images; real thin limbs have 35 and more
 constexpr std::uint16_t kVotedKey = 1000;  // above every depth in thirds of a voxel
 
 std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
@@ -24,31 +26,6 @@ std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
   return voxels;
 }
 
-template <class Visit>
-void for_neighbours(const VoxelGrid& g, std::uint32_t voxel, Visit visit) {
-  const int x = g.x_of(voxel), y = g.y_of(voxel), z = g.z_of(voxel);
-  for (int dz = -1; dz <= 1; ++dz)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
-        if ((dx != 0 || dy != 0 || dz != 0) && g.contains(x + dx, y + dy, z + dz))
-          visit(g.index(x + dx, y + dy, z + dz));
-}
-
-/// Voxels of the 26-connected parts of `set`, part by part.
-std::vector<std::vector<std::uint32_t>> parts_of(const VoxelGrid& grid, VoxelSet set) {
-  std::vector<std::vector<std::uint32_t>> parts;
-  for (std::uint32_t seed = 0; seed < set.size(); ++seed) {
-    if (!set[seed]) continue;
-    auto& part = parts.emplace_back(1, seed);
-    set[seed] = 0;
-    for (std::size_t k = 0; k < part.size(); ++k)
-      for_neighbours(grid, part[k], [&](std::uint32_t n) {
-        if (set[n]) set[n] = 0, part.push_back(n);
-      });
-  }
-  return parts;
-}
-
 /// Support of every voxel; 0 where nothing voted.
 std::vector<std::uint8_t> support_map(const VoteGrid& votes) {
   std::vector<std::uint8_t> map(votes.grid.count(), 0);
@@ -56,7 +33,46 @@ std::vector<std::uint8_t> support_map(const VoteGrid& votes) {
   return map;
 }
 
-using Link = std::pair<NodeId, NodeId>;
+/// A connected piece of the core outside the hull, and how often it meets the hull.
+struct OutsideRun {
+  std::vector<NodeId> nodes;
+  int contacts = 0;
+  int support = 0;  // sum
+
+  bool is_doubtful_bridge() const {
+    return contacts > 1 && support < kBridgeSupport * static_cast<int>(nodes.size());
+  }
+};
+
+OutsideRun outside_run(const LiveGraph& core, const VoxelSet& hull, NodeId start,
+                       std::vector<std::uint8_t>& seen) {
+  OutsideRun run{{start}, 0, 0};
+  seen[start] = 1;
+  for (std::size_t k = 0; k < run.nodes.size(); ++k) {
+    run.support += core.node(run.nodes[k]).support;
+    for (const NodeId m : core.neighbours(run.nodes[k])) {
+      if (hull[core.node(m).voxel])
+        ++run.contacts;
+      else if (!seen[m])
+        seen[m] = 1, run.nodes.push_back(m);
+    }
+  }
+  return run;
+}
+
+/// Adds the voxels of the core: limbs thinner than a voxel are in no hull of voxels. Where the core
+/// only bridges two places of the hull on weak support, it would weld what is apart.
+void add_core(VoxelSet& hull, const VoteGraph& core) {
+  const LiveGraph live(core);
+  const VoxelSet before = hull;
+  std::vector<std::uint8_t> seen(live.size(), 0);
+  for (NodeId n = 0; n < live.size(); ++n) {
+    if (seen[n] || before[live.node(n).voxel]) continue;
+    const OutsideRun run = outside_run(live, before, n, seen);
+    if (run.is_doubtful_bridge()) continue;
+    for (const NodeId m : run.nodes) hull[live.node(m).voxel] = 1;
+  }
+}
 
 /// Orders the edges of a graph by length; a total order.
 class LinkOrder {
@@ -89,9 +105,9 @@ bool is_longest(const LiveGraph& graph, const LinkOrder& key, NodeId a, NodeId b
 
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
                          const VoteGraph& core) {
-  for (const auto& n : core.nodes) hull[n.voxel] = 1;
+  add_core(hull, core);
   const auto support = support_map(votes);
-  const auto parts = parts_of(grid, hull);
+  const auto parts = voxel_parts(grid, hull);
   std::vector<long> sums;
   for (const auto& part : parts) {
     long sum = 0;
@@ -108,7 +124,8 @@ VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& v
 VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid, const VoteGraph& core) {
   std::vector<std::uint16_t> key = distance_transform(votes.grid, solid);
   for (auto& k : key) k = std::min<std::uint16_t>(k, kVotedKey - 1);
-  for (const auto& v : votes.votes) key[v.voxel] = static_cast<std::uint16_t>(kVotedKey + v.support);
+  for (const auto& v : votes.votes)
+    key[v.voxel] = static_cast<std::uint16_t>(kVotedKey + v.support);
   return thin(votes.grid, solid, key, leaf_voxels(core));
 }
 
@@ -124,10 +141,10 @@ VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid, const VoxelSet&
     while (vote != votes.votes.end() && vote->voxel < v) ++vote;
     node_at[v] = static_cast<NodeId>(dense.nodes.size());
     const bool voted = vote != votes.votes.end() && vote->voxel == v;
-    const double radius =
-        voted ? pixels_of(vote->radius) * pixel : pixels_of(depth[v]) * grid.size;
+    const double radius = voted ? pixels_of(vote->radius) * pixel : pixels_of(depth[v]) * grid.size;
     dense.nodes.push_back({voted ? vote->position : grid.center(v), std::max(radius, grid.size),
-                           voted ? int{vote->support} : 0, v});
+                           voted ? int{vote->support} : 0, voted ? int{vote->broad_support} : 0,
+                           v});
   }
   for (const auto& node : dense.nodes)
     for_neighbours(grid, node.voxel, [&](std::uint32_t n) {

@@ -1,8 +1,8 @@
 #include <marrow/perceptual_core.hpp>
 
-#include "live_graph_detail.hpp"
-
 #include <algorithm>
+
+#include "live_graph_detail.hpp"
 
 namespace marrow {
 
@@ -60,7 +60,7 @@ class LeafPruner {
       for (const NodeId n : {a, b}) {
         if (n == branch.joint || covered(n, branch)) continue;
         outside += half;
-        support += half * graph_.node(n).support;
+        support += half * graph_.node(n).broad_support;
       }
     }
     for (const NodeId n : branch.nodes) owner_[n] = kNone;
@@ -69,8 +69,8 @@ class LeafPruner {
     return {outside / unit * mean * mean * mean, outside < unit};
   }
 
-  /// Whether a ball of the rest of the skeleton holds node `n` of a branch. The rest only shrinks, so
-  /// what was found outside stays outside, and a ball found once serves until it is gone.
+  /// Whether a ball of the rest of the skeleton holds node `n` of a branch. The rest only shrinks,
+  /// so what was found outside stays outside, and a ball found once serves until it is gone.
   bool covered(NodeId n, const LeafBranch& branch) {
     if (cover_[n] == kNone) return false;
     if (cover_[n] != kUnknown && in_rest(cover_[n], branch)) return true;

@@ -1,7 +1,7 @@
-#include "live_graph_detail.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "live_graph_detail.hpp"
 
 namespace marrow {
 

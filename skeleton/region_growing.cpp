@@ -7,12 +7,14 @@
 #include <queue>
 #include <tuple>
 
+#include "voxel_parts_detail.hpp"
+
 namespace marrow {
 
 namespace {
 
-constexpr int kLeastSupport = 8;        // of 42 images
-constexpr double kLeastRegion = 0.02;   // of the greatest region's sum of support
+constexpr int kLeastSupport = 8;       // of 42 images
+constexpr double kLeastRegion = 0.02;  // of the greatest region's sum of support
 constexpr std::uint32_t kNoVote = ~0u;
 
 /// Votes by rank: rank 0 is the strongest. A total order, so that growth is the same everywhere.
@@ -43,8 +45,7 @@ class Growth {
         order_(ranked(votes.votes)),
         rank_at_(votes.grid.count(), kNoVote),
         node_of_(order_.size(), kNoVote) {
-    for (std::uint32_t r = 0; r < order_.size(); ++r)
-      rank_at_[votes.votes[order_[r]].voxel] = r;
+    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_at_[votes.votes[order_[r]].voxel] = r;
   }
 
   std::vector<Region> grow() {
@@ -72,27 +73,16 @@ class Growth {
       node_of_[rank] = id;
       // Radii finer than a voxel mean nothing to the graph.
       const double radius = std::max(pixels_of(vote.radius) * pixel_, votes_.grid.size);
-      region.tree.nodes.push_back({vote.position, radius, vote.support, vote.voxel});
+      region.tree.nodes.push_back(
+          {vote.position, radius, vote.support, vote.broad_support, vote.voxel});
       if (parent != kNoVote) region.tree.edges.push_back({node_of_[parent], id});
       region.support += vote.support;
-      for_neighbours(vote.voxel, [&](std::uint32_t n) {
-        if (node_of_[n] == kNoVote) frontier.push({n, rank});
+      for_neighbours(votes_.grid, vote.voxel, [&](std::uint32_t voxel) {
+        const std::uint32_t n = rank_at_[voxel];
+        if (n != kNoVote && node_of_[n] == kNoVote) frontier.push({n, rank});
       });
     }
     return region;
-  }
-
-  template <class Visit>
-  void for_neighbours(std::uint32_t voxel, Visit visit) const {
-    const VoxelGrid& g = votes_.grid;
-    const int x = g.x_of(voxel), y = g.y_of(voxel), z = g.z_of(voxel);
-    for (int dz = -1; dz <= 1; ++dz)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          if (!g.contains(x + dx, y + dy, z + dz)) continue;
-          const std::uint32_t n = rank_at_[g.index(x + dx, y + dy, z + dz)];
-          if (n != kNoVote) visit(n);
-        }
   }
 
   const VoteGrid& votes_;

@@ -1,7 +1,7 @@
-#include "simple_point_detail.hpp"
-
 #include <array>
 #include <bit>
+
+#include "simple_point_detail.hpp"
 
 namespace marrow {
 

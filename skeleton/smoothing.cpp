@@ -42,8 +42,7 @@ VoteGraph smooth_branches(VoteGraph graph, int passes) {
       moved[n] = graph.nodes[n].position;
       if (live.degree(n) != 2) continue;
       const auto around = live.neighbours(n);
-      const Vec3 middle =
-          (graph.nodes[around[0]].position + graph.nodes[around[1]].position) * 0.5;
+      const Vec3 middle = (graph.nodes[around[0]].position + graph.nodes[around[1]].position) * 0.5;
       moved[n] = (moved[n] + middle) * 0.5;
     }
     for (NodeId n = 0; n < moved.size(); ++n) graph.nodes[n].position = moved[n];

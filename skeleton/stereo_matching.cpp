@@ -7,7 +7,7 @@ namespace marrow {
 
 namespace {
 
-constexpr double kThin = 2;           // voxels: a quantile of radii under this asks for a finer grid
+constexpr double kThin = 2;  // voxels: a quantile of radii under this asks for a finer grid
 constexpr int kFinestAdaptive = 192;  // voxels along the longest side
 
 /// The 25 % quantile of the radii of all medial pixels, in pixels.
@@ -35,8 +35,7 @@ VoxelGrid choose_voxel_grid(const NormalizedShape& shape, std::span<const Stereo
   const double quartile = lower_quartile_of_radii(views) * pixels.pixel() / grid.size;  // voxels
   if (quartile >= kThin) return grid;
   const double finer = resolution * kThin / std::max(quartile, 0.1);
-  return make_voxel_grid(shape.low, shape.high,
-                         std::min(kFinestAdaptive, static_cast<int>(finer)));
+  return make_voxel_grid(shape.low, shape.high, std::min(kFinestAdaptive, static_cast<int>(finer)));
 }
 
 void cast_votes(const StereoImages& images, VoteAccumulator& accumulator) {

@@ -7,9 +7,10 @@ namespace marrow {
 
 namespace {
 
-constexpr double kMaskTolerance = 1;    // pixels
-constexpr double kAxisTolerance = 0.9;  // voxels
-constexpr int kMajority = 14;           // of 27
+constexpr double kMaskTolerance = 1;     // pixels
+constexpr double kAxisTolerance = 0.9;   // voxels
+constexpr double kBroadTolerance = 0.2;  // of the radius: medial axes of thick parts differ more
+constexpr int kMajority = 14;            // of 27
 
 int nearest(double coordinate) { return static_cast<int>(std::floor(coordinate + 0.5)); }
 
@@ -23,9 +24,10 @@ void sum_three(const std::vector<std::uint8_t>& source, std::vector<std::uint8_t
                std::size_t stride) {
   const std::size_t n = source.size();
   for (std::size_t i = stride; i + stride < n; ++i)
-    target[i] =
-        static_cast<std::uint8_t>(source[i - stride] + source[i] + source[i + stride]);
+    target[i] = static_cast<std::uint8_t>(source[i - stride] + source[i] + source[i + stride]);
 }
+
+}  // namespace
 
 /// The grid's padding keeps the set off its faces, so that sums that wrap around see zeros only.
 VoxelSet majority(const VoxelGrid& grid, const VoxelSet& set) {
@@ -37,8 +39,6 @@ VoxelSet majority(const VoxelGrid& grid, const VoxelSet& set) {
   for (auto& count : a) count = count >= kMajority;
   return a;
 }
-
-}  // namespace
 
 Projections::Projections(std::span<const StereoImages> views) {
   for (const auto& view : views)
@@ -53,27 +53,25 @@ Projections::Projections(std::span<const StereoImages> views) {
 
 VoteGrid clean_grid(VoteGrid votes, std::span<const StereoImages> views) {
   const Projections project(views);
-  std::vector<BitImage> masks, axes;
-  for (std::size_t i = 0; i < project.image_count(); ++i) {
-    const ViewImage& image = project.image(i);
-    const int side = image.silhouette.width();
-    masks.push_back(dilate(image.silhouette, kMaskTolerance));
-    const double reach = kAxisTolerance * votes.grid.size / PixelGrid{side}.pixel();
-    axes.push_back(dilate(to_image(image.axis, side), reach));
-  }
+  std::vector<BitImage> masks;
+  for (std::size_t i = 0; i < project.image_count(); ++i)
+    masks.push_back(dilate(project.image(i).silhouette, kMaskTolerance));
+  const double pixel = PixelGrid{masks[0].width()}.pixel();
+  const double tolerance = std::max(kAxisTolerance * votes.grid.size / pixel, 1.0);
   std::vector<Vote> kept;
   kept.reserve(votes.votes.size());
   for (Vote vote : votes.votes) {
-    int support = 0;
+    const double broad = std::max(tolerance, kBroadTolerance * pixels_of(vote.radius));
     bool inside = true;
     for (std::size_t i = 0; i < masks.size() && inside; ++i) {
       const auto at = project(i, vote.position);
       inside = is_set(masks[i], at);
-      support += is_set(axes[i], at);
+      if (!inside) break;
+      const double away = project.image(i).to_axis(nearest(at.first), nearest(at.second)) / 3.0;
+      if (away <= tolerance) ++vote.support;
+      if (away <= broad) ++vote.broad_support;
     }
-    if (!inside) continue;
-    vote.support = static_cast<std::uint8_t>(support);
-    kept.push_back(vote);
+    if (inside) kept.push_back(vote);
   }
   votes.votes = std::move(kept);
   return votes;
@@ -101,7 +99,7 @@ VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views) 
       }
       std::copy(row.begin(), row.end(), solid.begin() + grid.index(0, y, z));
     }
-  return majority(grid, solid);
+  return solid;
 }
 
 double hull_radius(const Vec3& p, const Projections& projections) {

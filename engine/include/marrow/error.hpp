@@ -18,8 +18,9 @@ enum class ErrorKind {
   CannotWrite = 8,
 };
 
-/// Every failure that a caller can cause is thrown as this type. `what()` is one line that names the
-/// file, the place in it and the mend: "horse.obj:12: vertex index 99 is out of range 1..8; ...".
+/// Every failure that a caller can cause is thrown as this type. `what()` is one line that names
+/// the file, the place in it and the mend: "horse.obj:12: vertex index 99 is out of range 1..8;
+/// ...".
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message);

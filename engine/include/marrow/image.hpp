@@ -76,6 +76,9 @@ class BitImage {
 /// Number of set pixels.
 std::size_t count(const BitImage& image);
 
+/// The pixels that are not set.
+BitImage complement(const BitImage& image);
+
 /// Every pixel within `radius` pixels (Euclidean, centre to centre) of a set pixel. `radius` >= 0.
 BitImage dilate(const BitImage& image, double radius);
 

@@ -16,12 +16,8 @@ struct Normalization {
   Frame axes;           ///< principal axes, right-handed
   double radius = 1;    ///< of the bounding sphere about the centre, prescaled
 
-  Vec3 to_normalized(const Vec3& p) const {
-    return to_frame(axes, p * prescale - center) / radius;
-  }
-  Vec3 to_input(const Vec3& q) const {
-    return (from_frame(axes, q) * radius + center) / prescale;
-  }
+  Vec3 to_normalized(const Vec3& p) const { return to_frame(axes, p * prescale - center) / radius; }
+  Vec3 to_input(const Vec3& q) const { return (from_frame(axes, q) * radius + center) / prescale; }
   double length_to_input(double length) const { return length * radius / prescale; }
 
   friend bool operator==(const Normalization&, const Normalization&) = default;
@@ -29,8 +25,8 @@ struct Normalization {
 
 /// The principal frame of the surface: exact second moments of the triangles, weighted by area, so
 /// that re-meshing a part does not move it. The sign of an axis makes the third moment along it
-/// positive; where that vanishes, its greatest component in input coordinates is positive. Where two
-/// or three moments coincide, the input axes decide. Sums are integers: the order of points and
+/// positive; where that vanishes, its greatest component in input coordinates is positive. Where
+/// two or three moments coincide, the input axes decide. Sums are integers: the order of points and
 /// triangles does not matter. Unused points never count.
 /// Throws Error: Empty, when there are no triangles or all used points coincide.
 Normalization normalize(const Shape& shape);
@@ -39,8 +35,9 @@ Normalization normalize(const Shape& shape);
 struct NormalizedShape {
   std::vector<float> x, y, z;  ///< |.| <= 1
   std::vector<Triangle> triangles;
-  Vec3 low, high;       ///< bounding box
-  bool closed = false;  ///< every edge has an even number of triangles, points welded by position
+  Vec3 low, high;         ///< bounding box
+  bool closed = false;    ///< every edge has an even number of triangles, points welded by position
+  bool oriented = false;  ///< closed, and every edge is run through as often in either direction
 };
 
 NormalizedShape apply(const Normalization& normalization, const Shape& shape);

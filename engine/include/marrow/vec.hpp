@@ -41,6 +41,8 @@ constexpr Vec3 to_frame(const Frame& f, const Vec3& p) {
   return {dot(f.x, p), dot(f.y, p), dot(f.z, p)};
 }
 /// The point whose coordinates along the axes of `f` are `q`.
-constexpr Vec3 from_frame(const Frame& f, const Vec3& q) { return f.x * q.x + f.y * q.y + f.z * q.z; }
+constexpr Vec3 from_frame(const Frame& f, const Vec3& q) {
+  return f.x * q.x + f.y * q.y + f.z * q.z;
+}
 
 }  // namespace marrow

@@ -18,8 +18,8 @@ struct ViewPlane {
   friend bool operator==(const ViewPlane&, const ViewPlane&) = default;
 };
 
-/// Two orthographic images that share their rows: the front one looks along z, the side one along x.
-/// y is the scanline axis.
+/// Two orthographic images that share their rows: the front one looks along z, the side one along
+/// x. y is the scanline axis.
 struct StereoPair {
   Frame frame;
 

@@ -16,8 +16,8 @@ using ChamferDistance = std::uint16_t;
 
 /// A box of cubic voxels; x runs fastest.
 struct VoxelGrid {
-  Vec3 origin;       ///< lowest corner
-  double size = 1;   ///< edge of a voxel
+  Vec3 origin;      ///< lowest corner
+  double size = 1;  ///< edge of a voxel
   int nx = 0, ny = 0, nz = 0;
 
   std::size_t count() const {
@@ -40,16 +40,19 @@ struct VoxelGrid {
   friend bool operator==(const VoxelGrid&, const VoxelGrid&) = default;
 };
 
-/// The grid around a box: `resolution` voxels along its longest side, two of padding on every side.
+/// The grid around a box: `resolution` voxels along its longest side, at least two of padding on
+/// every side, and an odd number along each, so that the middle plane of a symmetric shape runs
+/// through voxel centres and not between two layers that are equally good.
 VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution);
 
 /// What the matches in one voxel say.
 struct Vote {
   std::uint32_t voxel = 0;
-  std::uint32_t count = 0;      ///< matches
-  ChamferDistance radius = 0;   ///< least of the distances matched here
-  std::uint8_t support = 0;     ///< "M": of the 42 images, those whose medial axis passes here
-  Vec3 position;                ///< mean of the exact positions matched here
+  std::uint32_t count = 0;         ///< matches
+  ChamferDistance radius = 0;      ///< least of the distances matched here
+  std::uint8_t support = 0;        ///< of the 42 images, those whose medial axis passes here
+  std::uint8_t broad_support = 0;  ///< the same, with a tolerance that grows with the radius
+  Vec3 position;                   ///< mean of the exact positions matched here
 
   friend bool operator==(const Vote&, const Vote&) = default;
 };
@@ -87,8 +90,8 @@ class VoteAccumulator {
   Cell& cell_of(std::uint32_t voxel);
 
   VoxelGrid grid_;
-  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which cell
-  // a voxel gets depends on the schedule, what it holds does not.
+  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which
+  // cell a voxel gets depends on the schedule, what it holds does not.
   std::unique_ptr<std::atomic<std::uint32_t>[], Free> cell_index_;
   std::unique_ptr<Cell[], Free> cells_;
   std::atomic<std::uint32_t> used_cells_{0};

@@ -10,7 +10,8 @@ namespace marrow {
 /// border, 0 outside.
 using DistanceMap = Image<ChamferDistance>;
 
-/// Steps cost 3 along rows and columns, 4 along diagonals; what lies outside the image is background.
+/// Steps cost 3 along rows and columns, 4 along diagonals; what lies outside the image is
+/// background.
 DistanceMap distance_transform(const BitImage& silhouette);
 
 /// Radius in pixels of the disc at a pixel with this distance: the border runs half a pixel beyond

@@ -25,9 +25,9 @@ class MedialAxis {
 
   int rows() const { return static_cast<int>(row_start_.size()) - 1; }
   std::span<const MedialPixel> row(int y) const {
-    return std::span(pixels_).subspan(row_start_[static_cast<std::size_t>(y)],
-                                      row_start_[static_cast<std::size_t>(y) + 1] -
-                                          row_start_[static_cast<std::size_t>(y)]);
+    return std::span(pixels_).subspan(
+        row_start_[static_cast<std::size_t>(y)],
+        row_start_[static_cast<std::size_t>(y) + 1] - row_start_[static_cast<std::size_t>(y)]);
   }
   std::span<const MedialPixel> pixels() const { return pixels_; }
 

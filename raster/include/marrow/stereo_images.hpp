@@ -6,12 +6,13 @@
 
 namespace marrow {
 
-/// One image of a pair: the silhouette, its distances and its medial axis.
+/// One image of a pair: the silhouette, its distances, its medial axis and the way to it.
 struct ViewImage {
   ViewPlane plane;
   BitImage silhouette;
   DistanceMap distance;
   MedialAxis axis;
+  DistanceMap to_axis;  ///< at every pixel, distance to the nearest pixel of the medial axis
 };
 
 /// Two images that share their rows.

@@ -13,8 +13,8 @@ namespace marrow {
 
 using NodeId = std::uint32_t;
 
-/// A graph of centre lines. A leaf has one edge, a joint three or more; a branch is a chain of nodes
-/// between two of them (section 3 of the paper). No self edges, no duplicate edges.
+/// A graph of centre lines. A leaf has one edge, a joint three or more; a branch is a chain of
+/// nodes between two of them (section 3 of the paper). No self edges, no duplicate edges.
 struct CurveSkeleton {
   struct Node {
     Vec3 position;      ///< in the units of the shape
@@ -30,7 +30,8 @@ struct CurveSkeleton {
   friend bool operator==(const CurveSkeleton&, const CurveSkeleton&) = default;
 };
 
-/// A chain of nodes from a leaf or joint to the next; a cycle without a joint repeats its first node.
+/// A chain of nodes from a leaf or joint to the next; a cycle without a joint repeats its first
+/// node.
 struct Branch {
   std::vector<NodeId> nodes;
 
@@ -55,8 +56,8 @@ int joint_count(const CurveSkeleton& skeleton);
 /// Sum of the lengths of all edges.
 double total_length(const CurveSkeleton& skeleton);
 
-/// All branches: first those that end at a leaf or joint, then cycles without one, each group in the
-/// order of its first edge.
+/// All branches: first those that end at a leaf or joint, then cycles without one, each group in
+/// the order of its first edge.
 std::vector<Branch> branches(const CurveSkeleton& skeleton);
 /// The same for any graph of `nodes` nodes.
 std::vector<Branch> branches(std::size_t nodes, std::span<const CurveSkeleton::Edge> edges);

@@ -17,14 +17,14 @@ struct ExtractOptions {
   int grid_resolution = 128;   ///< voxels along the longest side of the shape, 16 to 256
   int smoothing_passes = 5;    ///< 0 and up
   int max_threads = 0;         ///< 0: as many as the machine has; the result does not depend on it
-  /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on the
-  /// calling thread. May throw to stop the work.
+  /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on
+  /// the calling thread. May throw to stop the work.
   std::function<void(std::string_view stage, double done)> on_stage;
 };
 
-/// The curve-skeleton of `shape`, in its units, for every part of its visual hull. The same shape and
-/// options give the same bytes on any machine with any number of threads.
-/// Throws Error: Empty (nothing to skeletonise), Usage (an option out of range).
+/// The curve-skeleton of `shape`, in its units, for every part of its visual hull. The same shape
+/// and options give the same bytes on any machine with any number of threads. Throws Error: Empty
+/// (nothing to skeletonise), Usage (an option out of range).
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 
 /// All intermediate results, in the order of the paper.

@@ -1,13 +1,14 @@
 // The topology of the visual hull, in place of the loop recovery of section 4.4.3.
 #pragma once
 
-#include <marrow/vote_graph.hpp>
 #include <marrow/visual_hull.hpp>
+#include <marrow/vote_graph.hpp>
 
 namespace marrow {
 
-/// The solid that is thinned: the hull and all voxels of the pruned tree, without the parts that
-/// have less than 2 % of the greatest part's support.
+/// The solid that is thinned: the hull and the voxels of the pruned tree, but for pieces of the
+/// tree that bridge two places of the hull with a mean support under 26 of 42; without the parts
+/// that have less than 2 % of the greatest part's support.
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
                          const VoteGraph& core);
 

@@ -5,13 +5,13 @@
 
 namespace marrow {
 
-/// Prunes a spanning forest (parents before children, edges {parent, child}) in one pass from the
-/// leaves up: at a joint a leaf survives when its ball does not touch the joint's; when none
-/// survives, the farthest one is kept.
+/// Prunes a spanning forest, in one pass from the leaves up to the middle of each tree's longest
+/// path: at a joint a leaf survives when its ball does not touch the joint's, and always the most
+/// significant one: that with the greatest sum of length * (support / 42)^3 along its way.
 VoteGraph prune_by_zone_of_influence(const VoteGraph& forest);
 
 /// The leaf rule. With U the length of a leaf branch outside all balls of the rest, and M the mean
-/// support over that part, a branch goes while U < r_leaf + 2 voxels or
+/// broad support over that part, a branch goes while U < r_leaf + 2 voxels or
 /// U / (r_leaf + 2 voxels) * (M / 42)^3 < 0.36; the least telling first, scores taken anew.
 /// A part that is a single path stays. Works on any graph, with or without cycles.
 VoteGraph prune_leaves(const VoteGraph& graph, double voxel);

@@ -8,8 +8,8 @@
 
 namespace marrow {
 
-/// The voxel grid for a shape: `resolution` voxels along its longest side, more (up to 192) when the
-/// medial axes say that a quarter of the shape is thinner than two voxels.
+/// The voxel grid for a shape: `resolution` voxels along its longest side, more (up to 192) when
+/// the medial axes say that a quarter of the shape is thinner than two voxels.
 VoxelGrid choose_voxel_grid(const NormalizedShape& shape, std::span<const StereoImages> views,
                             int resolution);
 

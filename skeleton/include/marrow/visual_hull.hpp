@@ -27,14 +27,19 @@ class Projections {
 };
 
 /// Drops every vote whose mean position falls outside a silhouette by more than a pixel, and gives
-/// the others their support: the number of images whose medial axis passes within 0.9 voxels.
+/// the others their support: the number of images whose medial axis passes within 0.9 voxels (at
+/// least a pixel). The broad support allows a fifth of the radius.
 VoteGrid clean_grid(VoteGrid votes, std::span<const StereoImages> views);
 
 /// One flag per voxel: the visual hull at the grid's resolution.
 using VoxelSet = std::vector<std::uint8_t>;
 
-/// Voxels whose centre lies inside all silhouettes, after a majority vote of 3x3x3 neighbours.
+/// Voxels whose centre lies inside all silhouettes.
 VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views);
+
+/// A majority vote of 3x3x3 neighbours (14 of 27): without it noise on the surface opens tunnels.
+/// No voxel of `set` may lie on the outermost layer.
+VoxelSet majority(const VoxelGrid& grid, const VoxelSet& set);
 
 /// Radius of the ball around `p` that the silhouettes allow: the least of the distances at its
 /// projections, bilinear. Normalised frame; may be negative outside the hull.

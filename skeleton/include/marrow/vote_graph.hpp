@@ -14,9 +14,10 @@ inline constexpr int kImages = 42;
 /// Voxels and the edges between them.
 struct VoteGraph {
   struct Node {
-    Vec3 position;           ///< normalised frame
-    double radius = 0;       ///< of the ball that the matches promise, normalised frame
-    int support = 0;         ///< "M": of the 42 images, those whose medial axis passes here
+    Vec3 position;          ///< normalised frame
+    double radius = 0;      ///< of the ball that the matches promise, normalised frame
+    int support = 0;        ///< of the 42 images, those whose medial axis passes here
+    int broad_support = 0;  ///< the same, with a tolerance that grows with the radius
     std::uint32_t voxel = 0;
 
     friend bool operator==(const Node&, const Node&) = default;

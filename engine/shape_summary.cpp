@@ -1,4 +1,4 @@
-#include "shape_summary.hpp"
+#include <marrow/shape_summary.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,12 +1,11 @@
 // What can be counted on a shape without skeletonising it.
 #pragma once
 
+#include <marrow/bounds.hpp>
 #include <marrow/shape.hpp>
 
 #include <cstddef>
 #include <optional>
-
-#include "bounds.hpp"
 
 namespace marrow {
 

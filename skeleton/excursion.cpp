@@ -1,0 +1,95 @@
+#include <marrow/bounds.hpp>
+#include <marrow/surface_sides.hpp>
+
+#include <algorithm>
+
+#include "excursion_detail.hpp"
+#include "voxel_parts_detail.hpp"
+
+namespace marrow {
+
+namespace {
+
+constexpr double kDetourVoxels = 1;  // how far beyond the excursion's clearance a detour may run
+constexpr double kDetourCell = 0.5;  // voxels: gaps between limbs are found down to this
+
+/// A piece outside the surface, with the last sample before it and the first after it.
+struct Excursion {
+  std::vector<Vec3> samples;
+  double clearance = 0;  // greatest on the way
+};
+
+std::vector<Excursion> excursions(std::span<const Vec3> samples, const NormalizedShape& shape) {
+  const auto sides = sides_of(samples, shape);
+  std::vector<Excursion> result;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (sides[i].side != Side::Outside) continue;
+    Excursion e;
+    if (i > 0) e.samples.push_back(samples[i - 1]);
+    for (; i < samples.size() && sides[i].side == Side::Outside; ++i) {
+      e.samples.push_back(samples[i]);
+      e.clearance = std::max(e.clearance, sides[i].clearance);
+    }
+    if (i < samples.size()) e.samples.push_back(samples[i]);
+    result.push_back(std::move(e));
+  }
+  return result;
+}
+
+bool is_near(const Vec3& p, std::span<const Vec3> points, double reach) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vec3& q) { return squared_length(p - q) <= reach * reach; });
+}
+
+VoxelGrid grid_around(std::span<const Vec3> points, double reach, double cell) {
+  Bounds box;
+  for (const auto& p : points) box.add(p);
+  const auto cells = [&](double extent) {
+    return static_cast<int>((extent + 2 * reach) / cell) + 3;
+  };
+  const Vec3 extent = box.high - box.low;
+  return {box.low - Vec3{1, 1, 1} * (reach + cell), cell, cells(extent.x), cells(extent.y),
+          cells(extent.z)};
+}
+
+/// Cells inside the surface within `reach` of the points.
+VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
+                      const NormalizedShape& shape, double reach) {
+  std::vector<std::uint32_t> cells;
+  std::vector<Vec3> centres;
+  for (std::uint32_t c = 0; c < grid.count(); ++c)
+    if (is_near(grid.center(c), points, reach))
+      cells.push_back(c), centres.push_back(grid.center(c));
+  const auto sides = sides_of(centres, shape);
+  VoxelSet inside(grid.count(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) inside[cells[i]] = sides[i].side == Side::Inside;
+  return inside;
+}
+
+bool has_detour_inside(const Excursion& e, const NormalizedShape& shape, double voxel) {
+  const double reach = e.clearance + kDetourVoxels * voxel, cell = kDetourCell * voxel;
+  const VoxelGrid grid = grid_around(e.samples, reach, cell);
+  for (const auto& part : voxel_parts(grid, inside_cells(grid, e.samples, shape, reach))) {
+    const auto touches = [&](const Vec3& end) {
+      return std::any_of(part.begin(), part.end(), [&](std::uint32_t c) {
+        return squared_length(grid.center(c) - end) <= 3 * cell * cell;
+      });
+    };
+    if (touches(e.samples.front()) && touches(e.samples.back())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+double farthest_excursion(std::span<const Vec3> samples, const NormalizedShape& shape, double voxel,
+                          double hollow) {
+  double farthest = 0;
+  for (const auto& e : excursions(samples, shape)) {
+    if (e.clearance <= farthest) continue;
+    if (e.clearance > hollow || !has_detour_inside(e, shape, voxel)) farthest = e.clearance;
+  }
+  return farthest;
+}
+
+}  // namespace marrow

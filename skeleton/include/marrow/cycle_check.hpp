@@ -1,0 +1,24 @@
+// Cycles that the silhouettes promise and the surface denies.
+#pragma once
+
+#include <marrow/normalization.hpp>
+#include <marrow/vote_graph.hpp>
+
+#include <optional>
+
+namespace marrow {
+
+/// Cuts three kinds of false cycles, asking the surface (see sides_of). Where the surface has no
+/// say (soups, large holes) nothing is cut.
+/// - A branch that leaves the shape: limbs that touch in all 42 silhouettes weld where nothing is.
+/// A
+///   branch between joints is cut when it runs outside, unless its two ends are connected inside
+///   close by (then it only cuts a corner), or it gets farther than 6 voxels from the surface: such
+///   a hollow is the inside of a cup.
+/// - A cycle around nothing: when the disc that it spans lies inside the shape it can be contracted
+///   there, and its least supported branch is cut.
+/// - What is beyond `most_cycles`, the least supported branch first.
+VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel,
+                           std::optional<int> most_cycles = {});
+
+}  // namespace marrow

@@ -1,0 +1,30 @@
+// On which side of the surface a point lies, asked of lines along the three axes.
+#pragma once
+
+#include <marrow/normalization.hpp>
+
+#include <span>
+#include <vector>
+
+namespace marrow {
+
+enum class Side : std::uint8_t {
+  Unknown,  ///< the lines disagree, or run through holes of the surface and say nothing
+  Inside,
+  Outside,
+};
+
+struct PointSide {
+  Side side = Side::Unknown;
+  double clearance =
+      0;  ///< least distance to the surface along the six half lines; 4 if none meets it
+};
+
+/// For every point of the normalised frame, what the signed crossings of the surface with the lines
+/// through it say. On a line whose crossings cancel as a whole the point is outside when those
+/// before it cancel too; other lines run through a hole of the surface and have no say. The point
+/// is inside or outside when at least one line says so and none says otherwise. Exact integer
+/// arithmetic on a lattice of 2^-18; the order of triangles and points is nothing.
+std::vector<PointSide> sides_of(std::span<const Vec3> points, const NormalizedShape& shape);
+
+}  // namespace marrow

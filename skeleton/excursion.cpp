@@ -1,5 +1,5 @@
 #include <marrow/bounds.hpp>
-#include <marrow/surface_sides.hpp>
+#include <marrow/visual_hull.hpp>
 
 #include <algorithm>
 
@@ -19,18 +19,18 @@ struct Excursion {
   double clearance = 0;  // greatest on the way
 };
 
-std::vector<Excursion> excursions(std::span<const Vec3> samples, const NormalizedShape& shape) {
-  const auto sides = sides_of(samples, shape);
+std::vector<Excursion> excursions(std::span<const LineSample> samples) {
+  const auto outside = [&](std::size_t i) { return samples[i].surface.side == Side::Outside; };
   std::vector<Excursion> result;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (sides[i].side != Side::Outside) continue;
+    if (!outside(i)) continue;
     Excursion e;
-    if (i > 0) e.samples.push_back(samples[i - 1]);
-    for (; i < samples.size() && sides[i].side == Side::Outside; ++i) {
-      e.samples.push_back(samples[i]);
-      e.clearance = std::max(e.clearance, sides[i].clearance);
+    if (i > 0) e.samples.push_back(samples[i - 1].position);
+    for (; i < samples.size() && outside(i); ++i) {
+      e.samples.push_back(samples[i].position);
+      e.clearance = std::max(e.clearance, samples[i].surface.clearance);
     }
-    if (i < samples.size()) e.samples.push_back(samples[i]);
+    if (i < samples.size()) e.samples.push_back(samples[i].position);
     result.push_back(std::move(e));
   }
   return result;
@@ -54,22 +54,22 @@ VoxelGrid grid_around(std::span<const Vec3> points, double reach, double cell) {
 
 /// Cells inside the surface within `reach` of the points.
 VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
-                      const NormalizedShape& shape, double reach) {
+                      const SurfaceSides& surface, double reach) {
   std::vector<std::uint32_t> cells;
   std::vector<Vec3> centres;
   for (std::uint32_t c = 0; c < grid.count(); ++c)
     if (is_near(grid.center(c), points, reach))
       cells.push_back(c), centres.push_back(grid.center(c));
-  const auto sides = sides_of(centres, shape);
+  const auto sides = surface.of(centres);
   VoxelSet inside(grid.count(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) inside[cells[i]] = sides[i].side == Side::Inside;
   return inside;
 }
 
-bool has_detour_inside(const Excursion& e, const NormalizedShape& shape, double voxel) {
+bool has_detour_inside(const Excursion& e, const SurfaceSides& surface, double voxel) {
   const double reach = e.clearance + kDetourVoxels * voxel, cell = kDetourCell * voxel;
   const VoxelGrid grid = grid_around(e.samples, reach, cell);
-  for (const auto& part : voxel_parts(grid, inside_cells(grid, e.samples, shape, reach))) {
+  for (const auto& part : voxel_parts(grid, inside_cells(grid, e.samples, surface, reach))) {
     const auto touches = [&](const Vec3& end) {
       return std::any_of(part.begin(), part.end(), [&](std::uint32_t c) {
         return squared_length(grid.center(c) - end) <= 3 * cell * cell;
@@ -82,12 +82,12 @@ bool has_detour_inside(const Excursion& e, const NormalizedShape& shape, double 
 
 }  // namespace
 
-double farthest_excursion(std::span<const Vec3> samples, const NormalizedShape& shape, double voxel,
-                          double hollow) {
+double farthest_excursion(std::span<const LineSample> samples, const SurfaceSides& surface,
+                          double voxel, double hollow) {
   double farthest = 0;
-  for (const auto& e : excursions(samples, shape)) {
+  for (const auto& e : excursions(samples)) {
     if (e.clearance <= farthest) continue;
-    if (e.clearance > hollow || !has_detour_inside(e, shape, voxel)) farthest = e.clearance;
+    if (e.clearance > hollow || !has_detour_inside(e, surface, voxel)) farthest = e.clearance;
   }
   return farthest;
 }

@@ -122,15 +122,19 @@ std::vector<LineCount> count_crossings(std::span<const LatticePoint> points,
 
 }  // namespace
 
-std::vector<PointSide> sides_of(std::span<const Vec3> points, const NormalizedShape& shape) {
-  std::vector<LatticePoint> snapped, corners;
-  for (const auto& p : points) snapped.push_back(snap(p));
+SurfaceSides::SurfaceSides(const NormalizedShape& shape) : triangles_(shape.triangles) {
+  corners_.reserve(shape.x.size());
   for (std::size_t i = 0; i < shape.x.size(); ++i)
-    corners.push_back(snap({double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}}));
+    corners_.push_back(snap({double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}}));
+}
+
+std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) const {
+  std::vector<LatticePoint> snapped;
+  for (const auto& p : points) snapped.push_back(snap(p));
   std::vector<int> inside(points.size(), 0), outside(points.size(), 0);
   std::vector<PointSide> sides(points.size(), {Side::Unknown, kNoSurface});
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto counts = count_crossings(snapped, corners, shape.triangles, axis);
+    const auto counts = count_crossings(snapped, corners_, triangles_, axis);
     for (std::size_t i = 0; i < counts.size(); ++i) {
       sides[i].clearance = std::min(sides[i].clearance, counts[i].nearest);
       if (counts[i].total == 0) ++(counts[i].before == 0 ? outside : inside)[i];

@@ -4,11 +4,9 @@
 #include <marrow/normalization.hpp>
 #include <marrow/vote_graph.hpp>
 
-#include <optional>
-
 namespace marrow {
 
-/// Cuts three kinds of false cycles, asking the surface (see sides_of). Where the surface has no
+/// Cuts two kinds of false cycles, asking the surface (see SurfaceSides). Where the surface has no
 /// say (soups, large holes) nothing is cut.
 /// - A branch that leaves the shape: limbs that touch in all 42 silhouettes weld where nothing is.
 /// A
@@ -17,8 +15,10 @@ namespace marrow {
 ///   a hollow is the inside of a cup.
 /// - A cycle around nothing: when the disc that it spans lies inside the shape it can be contracted
 ///   there, and its least supported branch is cut.
-/// - What is beyond `most_cycles`, the least supported branch first.
-VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel,
-                           std::optional<int> most_cycles = {});
+VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel);
+
+/// Cuts branches on cycles, the least supported first, until no more than `most_cycles` are left:
+/// the genus, for a shape whose surface is one closed manifold.
+VoteGraph cut_surplus_cycles(const VoteGraph& graph, int most_cycles);
 
 }  // namespace marrow

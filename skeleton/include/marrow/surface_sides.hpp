@@ -3,6 +3,8 @@
 
 #include <marrow/normalization.hpp>
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,11 +22,22 @@ struct PointSide {
       0;  ///< least distance to the surface along the six half lines; 4 if none meets it
 };
 
-/// For every point of the normalised frame, what the signed crossings of the surface with the lines
-/// through it say. On a line whose crossings cancel as a whole the point is outside when those
-/// before it cancel too; other lines run through a hole of the surface and have no say. The point
-/// is inside or outside when at least one line says so and none says otherwise. Exact integer
-/// arithmetic on a lattice of 2^-18; the order of triangles and points is nothing.
-std::vector<PointSide> sides_of(std::span<const Vec3> points, const NormalizedShape& shape);
+/// Asks the surface of a shape. Exact integer arithmetic on a lattice of 2^-18; the order of
+/// triangles and points is nothing.
+class SurfaceSides {
+ public:
+  /// `shape` must outlive this.
+  explicit SurfaceSides(const NormalizedShape& shape);
+
+  /// For every point of the normalised frame, what the signed crossings of the surface with the
+  /// lines through it say. On a line whose crossings cancel as a whole the point is outside when
+  /// those before it cancel too; other lines run through a hole of the surface and have no say. The
+  /// point is inside or outside when at least one line says so and none says otherwise.
+  std::vector<PointSide> of(std::span<const Vec3> points) const;
+
+ private:
+  std::span<const Triangle> triangles_;
+  std::vector<std::array<std::int64_t, 3>> corners_;  // on the lattice
+};
 
 }  // namespace marrow

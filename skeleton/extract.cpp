@@ -44,9 +44,10 @@ void for_each_view(std::size_t count, int threads, Task task) {
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
 }
 
-/// The genus of a shape that is one closed manifold: its skeleton has no more cycles.
-std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normalized_shape) {
-  if (!normalized_shape.oriented) return {};
+/// The genus of a shape that is one closed manifold; not counted where the graph has no cycle.
+std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normalized_shape,
+                               const VoteGraph& graph) {
+  if (!normalized_shape.oriented || graph.edges.size() < graph.nodes.size()) return {};
   const ShapeSummary summary = summarize(shape);
   if (summary.components != 1 || !summary.handles) return {};
   return static_cast<int>(*summary.handles);
@@ -112,8 +113,9 @@ ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& option
   // 4.4.2: branch collapse.
   stage("branch collapse", 0.95);
   t.collapsed = cut_short_cycles(collapse_branches(t.thinned, voxel), voxel);
-  t.collapsed =
-      cut_false_cycles(t.collapsed, normalized_shape, voxel, most_cycles(shape, normalized_shape));
+  t.collapsed = cut_false_cycles(t.collapsed, normalized_shape, voxel);
+  if (const auto most = most_cycles(shape, normalized_shape, t.collapsed))
+    t.collapsed = cut_surplus_cycles(t.collapsed, *most);
   t.collapsed = prune_leaves(t.collapsed, voxel);
 
   // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)

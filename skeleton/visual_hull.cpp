@@ -81,8 +81,8 @@ VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views) 
   const Projections project(views);
   VoxelSet solid(grid.count(), 0);
   std::vector<std::uint8_t> row(static_cast<std::size_t>(grid.nx));
-  for (int z = 0; z < grid.nz; ++z)
-    for (int y = 0; y < grid.ny; ++y) {
+  for (int z = 1; z < grid.nz - 1; ++z)
+    for (int y = 1; y < grid.ny - 1; ++y) {
       std::fill(row.begin(), row.end(), std::uint8_t{1});
       const Vec3 first = grid.center(grid.index(0, y, z));
       for (std::size_t i = 0; i < project.image_count(); ++i) {
@@ -97,7 +97,7 @@ VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views) 
         }
         if (!any) break;
       }
-      std::copy(row.begin(), row.end(), solid.begin() + grid.index(0, y, z));
+      std::copy(row.begin() + 1, row.end() - 1, solid.begin() + grid.index(1, y, z));
     }
   return solid;
 }

@@ -34,7 +34,7 @@ VoteGrid clean_grid(VoteGrid votes, std::span<const StereoImages> views);
 /// One flag per voxel: the visual hull at the grid's resolution.
 using VoxelSet = std::vector<std::uint8_t>;
 
-/// Voxels whose centre lies inside all silhouettes.
+/// Voxels whose centre lies inside all silhouettes, without the outermost layer of the grid.
 VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views);
 
 /// A majority vote of 3x3x3 neighbours (14 of 27): without it noise on the surface opens tunnels.

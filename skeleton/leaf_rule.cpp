@@ -1,6 +1,9 @@
 #include <marrow/perceptual_core.hpp>
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "live_graph_detail.hpp"
 
@@ -10,6 +13,7 @@ namespace {
 
 constexpr double kLeastScore = 0.36;
 constexpr double kVoxelsBeyond = 2;
+constexpr double kLeastRivalry = 0.6;  // support of a ball that may hold a node, of the node's
 constexpr NodeId kNone = ~NodeId{0};
 
 class LeafPruner {
@@ -18,30 +22,55 @@ class LeafPruner {
       : graph_(graph),
         voxel_(voxel),
         owner_(graph.nodes.size(), kNone),
-        cover_(graph.nodes.size(), kUnknown) {}
+        cover_(graph.nodes.size(), kNone),
+        next_(graph.nodes.size(), 0),
+        served_(graph.nodes.size()),
+        leaf_of_(graph.nodes.size(), kNone),
+        score_(graph.nodes.size(), kNotWaiting) {}
 
   VoteGraph prune() {
-    while (remove_least_telling()) {
-    }
+    for (NodeId n = 0; n < graph_.size(); ++n)
+      if (graph_.degree(n) == 1) consider(n);
+    while (!waiting_.empty()) remove(waiting_.begin()->second);
     return graph_.result();
   }
 
  private:
-  static constexpr NodeId kUnknown = ~NodeId{0} - 1;
+  static constexpr double kNotWaiting = -1;
 
-  bool remove_least_telling() {
-    double least = 0;
-    LeafBranch worst;
-    for (NodeId n = 0; n < graph_.size(); ++n) {
-      if (graph_.degree(n) != 1) continue;
-      LeafBranch branch = trace_leaf_branch(graph_, n);
-      if (!branch.ends_at_joint) continue;
-      const auto [score, too_short] = judge(branch);
-      if (!too_short && score >= kLeastScore) continue;
-      if (worst.nodes.empty() || score < least) least = score, worst = std::move(branch);
-    }
-    for (const NodeId n : worst.nodes) graph_.remove_node(n);
-    return !worst.nodes.empty();
+  /// Judges the branch of a leaf; it waits for its removal if it tells too little.
+  void consider(NodeId leaf) {
+    forget(leaf);
+    const LeafBranch branch = trace_leaf_branch(graph_, leaf);
+    if (!branch.ends_at_joint) return;
+    const auto [score, too_short] = judge(branch);
+    for (const NodeId n : branch.nodes) leaf_of_[n] = leaf;
+    if (!too_short && score >= kLeastScore) return;
+    score_[leaf] = score;
+    waiting_.insert({score, leaf});
+  }
+
+  void forget(NodeId leaf) {
+    if (score_[leaf] != kNotWaiting) waiting_.erase({score_[leaf], leaf});
+    score_[leaf] = kNotWaiting;
+  }
+
+  /// Removes the branch of a leaf, and judges those again that it mattered to: branches that its
+  /// balls held, and those that now run on through its joint.
+  void remove(NodeId leaf) {
+    forget(leaf);
+    const LeafBranch branch = trace_leaf_branch(graph_, leaf);
+    for (const NodeId n : branch.nodes) graph_.remove_node(n);
+    std::vector<NodeId> again;
+    for (const NodeId n : branch.nodes)
+      for (const NodeId held : served_[n])
+        if (graph_.alive(held)) again.push_back(leaf_of_[held]);
+    if (graph_.degree(branch.joint) == 2)
+      for (const NodeId n : graph_.neighbours(branch.joint)) again.push_back(leaf_of_[n]);
+    std::sort(again.begin(), again.end());
+    again.erase(std::unique(again.begin(), again.end()), again.end());
+    for (const NodeId other : again)
+      if (other != kNone) consider(other);
   }
 
   struct Judgement {
@@ -69,24 +98,28 @@ class LeafPruner {
     return {outside / unit * mean * mean * mean, outside < unit};
   }
 
-  /// Whether a ball of the rest of the skeleton holds node `n` of a branch. The rest only shrinks,
-  /// so what was found outside stays outside, and a ball found once serves until it is gone.
+  /// Whether a ball of the rest of the skeleton holds node `n` of a branch. The rest only shrinks
+  /// and a branch only grows, so a ball found once serves until it is gone, and those passed over
+  /// in the search need no second look.
   bool covered(NodeId n, const LeafBranch& branch) {
-    if (cover_[n] == kNone) return false;
-    if (cover_[n] != kUnknown && in_rest(cover_[n], branch)) return true;
+    if (cover_[n] != kNone && in_rest(cover_[n], branch)) return true;
     cover_[n] = find_cover(n, branch);
+    if (cover_[n] != kNone) served_[cover_[n]].push_back(n);
     return cover_[n] != kNone;
   }
 
-  NodeId find_cover(NodeId n, const LeafBranch& branch) const {
+  NodeId find_cover(NodeId n, const LeafBranch& branch) {
     if (holds(branch.joint, n)) return branch.joint;
-    for (NodeId m = 0; m < graph_.size(); ++m)
+    for (NodeId& m = next_[n]; m < graph_.size(); ++m)
       if (holds(m, n) && in_rest(m, branch)) return m;
     return kNone;
   }
 
+  /// A weakly supported path beside a strong one must not outdo it: its balls hold it, but do not
+  /// count.
   bool holds(NodeId ball, NodeId n) const {
     const auto& b = graph_.node(ball);
+    if (b.broad_support < kLeastRivalry * graph_.node(n).broad_support) return false;
     return squared_length(b.position - graph_.node(n).position) <= b.radius * b.radius;
   }
 
@@ -96,8 +129,13 @@ class LeafPruner {
 
   LiveGraph graph_;
   double voxel_;
-  std::vector<NodeId> owner_;  // leaf of the branch being judged
-  std::vector<NodeId> cover_;  // a node of the rest whose ball holds this one
+  std::vector<NodeId> owner_;                // leaf of the branch being judged
+  std::vector<NodeId> cover_;                // a node of the rest whose ball holds this one
+  std::vector<NodeId> next_;                 // where the search for a cover goes on
+  std::vector<std::vector<NodeId>> served_;  // nodes that this one was the cover of
+  std::vector<NodeId> leaf_of_;              // leaf of the branch this node was last judged in
+  std::vector<double> score_;                // of waiting leaves
+  std::set<std::pair<double, NodeId>> waiting_;
 };
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace marrow {
 /// significant one: that with the greatest sum of length * (support / 42)^3 along its way.
 VoteGraph prune_by_zone_of_influence(const VoteGraph& forest);
 
-/// The leaf rule. With U the length of a leaf branch outside all balls of the rest, and M the mean
+/// The leaf rule. With U the length of a leaf branch outside all balls of the rest (those with less
+/// than 0.6 of a node's support do not hold it), and M the mean
 /// broad support over that part, a branch goes while U < r_leaf + 2 voxels or
 /// U / (r_leaf + 2 voxels) * (M / 42)^3 < 0.36; the least telling first, scores taken anew.
 /// A part that is a single path stays. Works on any graph, with or without cycles.

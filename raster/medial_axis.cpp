@@ -1,8 +1,23 @@
 #include <marrow/medial_axis.hpp>
 
+#include <algorithm>
+
 #include "thinning_detail.hpp"
 
 namespace marrow {
+
+namespace {
+
+/// `map` with a rim of background one pixel wide, so that every pixel of the silhouette has all its
+/// neighbours, also where it touches the edge of the image.
+DistanceMap with_rim(const DistanceMap& map) {
+  DistanceMap result(map.width() + 2, map.height() + 2);
+  for (int y = 0; y < map.height(); ++y)
+    std::copy_n(map.row(y), map.width(), result.row(y + 1) + 1);
+  return result;
+}
+
+}  // namespace
 
 MedialAxis::MedialAxis(const BitImage& axis, const DistanceMap& map) {
   for (int y = 0; y < axis.height(); ++y) {
@@ -13,12 +28,13 @@ MedialAxis::MedialAxis(const BitImage& axis, const DistanceMap& map) {
 }
 
 MedialAxis medial_axis(const DistanceMap& map, double prune_pixels) {
-  PixelSet set = thin_to_medial_axis(map);
-  prune_end_branches(set, map, prune_pixels);
+  const DistanceMap padded = with_rim(map);
+  PixelSet set = thin_to_medial_axis(padded);
+  prune_end_branches(set, padded, prune_pixels);
   BitImage axis(map.width(), map.height());
   for (int y = 0; y < map.height(); ++y)
     for (int x = 0; x < map.width(); ++x)
-      if (set(x, y)) axis.set(x, y);
+      if (set(x + 1, y + 1)) axis.set(x, y);
   return MedialAxis(axis, map);
 }
 

@@ -34,6 +34,14 @@ class ThinSet {
     return count;
   }
 
+  /// All pixels that are set, row by row.
+  std::vector<std::uint32_t> pixels() const {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < set_.pixels().size(); ++i)
+      if (set_.pixels()[i]) result.push_back(i);
+    return result;
+  }
+
   bool is_end(std::uint32_t i) const {
     std::array<std::uint32_t, 8> n;
     return set_.pixels()[i] && neighbours(i, n) == 1;
@@ -116,6 +124,7 @@ void prune_end_branches(PixelSet& axis, const DistanceMap& map, double pixels) {
     set.remove(branch);
     if (set.is_end(branch.joint)) consider(branch.joint);
   }
+  thin_to_unit_width(axis, set.pixels());
 }
 
 }  // namespace marrow

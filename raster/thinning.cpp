@@ -40,6 +40,12 @@ unsigned neighbourhood(const std::uint8_t* p, const std::array<std::ptrdiff_t, 8
   return code;
 }
 
+/// An end as wide as two pixels: two neighbours, side by side.
+bool is_wide_end(unsigned code) {
+  const unsigned turned = (code << 1 | code >> 7) & 0xff;
+  return std::popcount(code) == 2 && (code & turned) != 0;
+}
+
 /// The least radius that gives the same disc: distances 3 and 6 stand for 1 and 5.
 int label(ChamferDistance d) { return d == 3 ? 1 : d == 6 ? 5 : d; }
 
@@ -100,13 +106,22 @@ PixelSet thin_to_medial_axis(const DistanceMap& map) {
     }
   }
 
-  // Anchors lie two wide on even-width parts: release them, but never an end.
-  for (const auto i : order) {
-    if (!pixels[i]) continue;
-    const unsigned code = neighbourhood(&pixels[i], offset);
-    if (kSimple[code] && std::popcount(code) > 1) pixels[i] = 0;
-  }
+  // Anchors lie two wide on even-width parts.
+  thin_to_unit_width(set, order);
   return set;
+}
+
+void thin_to_unit_width(PixelSet& set, std::span<const std::uint32_t> order) {
+  const auto offset = neighbour_offsets(set.width());
+  auto pixels = set.pixels();
+  // Wide ends come last, or from them on a part two wide would be eaten up.
+  for (const bool wide_ends_too : {false, true})
+    for (const auto i : order) {
+      if (!pixels[i]) continue;
+      const unsigned code = neighbourhood(&pixels[i], offset);
+      if (!kSimple[code] || std::popcount(code) <= 1) continue;
+      if (wide_ends_too || !is_wide_end(code)) pixels[i] = 0;
+    }
 }
 
 }  // namespace marrow

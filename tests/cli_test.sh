@@ -175,10 +175,10 @@ bad 2 'see marrow --help' explode
 bad 2 'see marrow extract --help' extract
 bad 2 '--output is required' extract torus.obj
 bad 2 '--wrong' extract torus.obj -o out.obj --wrong
-bad 2 '64 to 1024' extract torus.obj -o out.obj --image 63
+bad 2 '1024' extract torus.obj -o out.obj --image 63
 bad 2 '--image' extract torus.obj -o out.obj --image many
 bad 2 '--image' extract torus.obj -o out.obj --image 99999999999
-bad 2 '16 to 256' extract torus.obj -o out.obj --grid 257
+bad 2 '256' extract torus.obj -o out.obj --grid 257
 bad 2 '--threads' extract torus.obj -o out.obj --threads -1
 bad 2 '--from' extract - -o out.obj
 bad 2 '--to' extract torus.obj -o -

@@ -24,7 +24,10 @@ void trim_branch(LiveGraph& graph, const LeafBranch& branch, double voxel) {
 
 VoteGraph trim_leaves(const VoteGraph& graph, double voxel) {
   LiveGraph live(graph);
-  for (NodeId n = 0; n < live.size(); ++n) {
+  std::vector<NodeId> leaves;  // of the whole graph: where a branch was trimmed is no new leaf
+  for (NodeId n = 0; n < live.size(); ++n)
+    if (live.degree(n) == 1) leaves.push_back(n);
+  for (const NodeId n : leaves) {
     if (!live.alive(n) || live.degree(n) != 1) continue;
     LeafBranch branch = trace_leaf_branch(live, n);
     // A part that is a single path keeps its middle.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "branch_graph_detail.hpp"
 
@@ -46,37 +49,116 @@ double cycle_length(const BranchGraph& graph, int link) {
   return sum;
 }
 
-/// The least supported link on a cycle that is a weld or closes a short cycle.
-std::optional<int> worst_cycle_link(const BranchGraph& graph, double voxel) {
-  std::optional<int> worst;
-  std::tuple<int, double> least;
-  for (const int l : graph.links_on_cycles()) {
-    const double length = graph.length(graph.link(l));
-    const int support = graph.least_support(graph.link(l));
-    const bool weld = length <= kWeldVoxels * voxel && support < kWeldSupport;
-    if (!weld && cycle_length(graph, l) >= kShortestCycleVoxels * voxel) continue;
-    if (!worst || std::tuple(support, length) < least) worst = l, least = {support, length};
+/// Links that may merge, the closest first. Merging two vertices changes nothing but the links at
+/// them.
+class Closest {
+ public:
+  Closest(const BranchGraph& graph, double voxel)
+      : graph_(graph), voxel_(voxel), closeness_(static_cast<std::size_t>(graph.link_count())) {
+    for (int l = 0; l < graph.link_count(); ++l) update(l);
   }
-  return worst;
+
+  std::optional<int> link() const {
+    return queue_.empty() ? std::nullopt : std::optional(queue_.begin()->second);
+  }
+
+  void update(int link) {
+    auto& known = closeness_[static_cast<std::size_t>(link)];
+    if (known) queue_.erase({*known, link});
+    known = closeness(graph_, graph_.link(link), voxel_);
+    if (known && !(*known < 1)) known.reset();
+    if (known) queue_.insert({*known, link});
+  }
+
+ private:
+  const BranchGraph& graph_;
+  double voxel_;
+  std::vector<std::optional<double>> closeness_;
+  std::set<std::pair<double, int>> queue_;
+};
+
+/// All links at the ends of a link.
+std::vector<int> links_beside(const BranchGraph& graph, int link) {
+  std::vector<int> links = graph.at(graph.link(link).a).links;
+  const auto& more = graph.at(graph.link(link).b).links;
+  links.insert(links.end(), more.begin(), more.end());
+  return links;
 }
+
+/// Whether a link is a weld or closes a short cycle; it must lie on a cycle.
+bool is_doubtful(const BranchGraph& graph, int l, double voxel) {
+  const double length = graph.length(graph.link(l));
+  if (length <= kWeldVoxels * voxel && graph.least_support(graph.link(l)) < kWeldSupport)
+    return true;
+  return length < kShortestCycleVoxels * voxel &&
+         cycle_length(graph, l) < kShortestCycleVoxels * voxel;
+}
+
+/// Links in the order in which they would be cut: least support, then length, then number.
+class CutOrder {
+ public:
+  CutOrder(const BranchGraph& graph, double voxel)
+      : graph_(graph), voxel_(voxel), key_(static_cast<std::size_t>(graph.link_count())) {
+    for (int l = 0; l < graph.link_count(); ++l) update(l);
+  }
+
+  void update(int link) {
+    auto& key = key_[static_cast<std::size_t>(link)];
+    if (key) queue_.erase(*key);
+    key.reset();
+    const auto& l = graph_.link(link);
+    if (!l.alive) return;
+    const double length = graph_.length(l);
+    if (length >= kShortestCycleVoxels * voxel_) return;
+    key = Key(graph_.least_support(l), length, link);
+    queue_.insert(*key);
+  }
+
+  /// The first doubtful link on a cycle. Cuts make cycles longer and fewer, so that what is sound
+  /// once stays so until the link itself grows.
+  std::optional<int> next() {
+    if (queue_.empty()) return {};
+    std::vector<bool> on_cycle(key_.size(), false);
+    for (const int l : graph_.links_on_cycles()) on_cycle[static_cast<std::size_t>(l)] = true;
+    while (!queue_.empty()) {
+      const int l = std::get<2>(*queue_.begin());
+      if (on_cycle[static_cast<std::size_t>(l)] && is_doubtful(graph_, l, voxel_)) return l;
+      queue_.erase(queue_.begin());
+      key_[static_cast<std::size_t>(l)].reset();
+    }
+    return {};
+  }
+
+ private:
+  using Key = std::tuple<int, double, int>;
+
+  const BranchGraph& graph_;
+  double voxel_;
+  std::vector<std::optional<Key>> key_;
+  std::set<Key> queue_;
+};
 
 }  // namespace
 
 VoteGraph collapse_branches(const VoteGraph& graph, double voxel) {
   BranchGraph g(graph);
-  for (;;) {
-    int nearest = -1;
-    double least = 1;
-    for (int l = 0; l < g.link_count(); ++l)
-      if (const auto c = closeness(g, g.link(l), voxel); c && *c < least) least = *c, nearest = l;
-    if (nearest < 0) return g.result();
-    g.contract(nearest, barycentre(g.at(g.link(nearest).a), g.at(g.link(nearest).b)));
+  Closest closest(g, voxel);
+  while (const auto link = closest.link()) {
+    const auto beside = links_beside(g, *link);
+    g.contract(*link, barycentre(g.at(g.link(*link).a), g.at(g.link(*link).b)));
+    for (const int l : beside) closest.update(l);
   }
+  return g.result();
 }
 
 VoteGraph cut_short_cycles(const VoteGraph& graph, double voxel) {
   BranchGraph g(graph);
-  while (const auto worst = worst_cycle_link(g, voxel)) g.cut(*worst);
+  CutOrder order(g, voxel);
+  while (const auto worst = order.next()) {
+    const auto beside = links_beside(g, *worst);
+    g.cut(*worst);
+    for (const int l : beside) order.update(l);
+  }
   return g.result();
 }
 

@@ -141,7 +141,8 @@ VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape,
 
 VoteGraph cut_surplus_cycles(const VoteGraph& graph, int most_cycles) {
   BranchGraph g(graph);
-  while (g.cycle_count() > most_cycles) {
+  // A link on a cycle is no bridge: cutting it leaves one cycle less.
+  for (int cycles = g.cycle_count(); cycles > most_cycles; --cycles) {
     const auto least = least_supported(g, g.links_on_cycles());
     if (!least) break;
     g.cut(*least);

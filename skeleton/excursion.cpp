@@ -2,6 +2,7 @@
 #include <marrow/visual_hull.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include "excursion_detail.hpp"
 #include "voxel_parts_detail.hpp"
@@ -36,11 +37,6 @@ std::vector<Excursion> excursions(std::span<const LineSample> samples) {
   return result;
 }
 
-bool is_near(const Vec3& p, std::span<const Vec3> points, double reach) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const Vec3& q) { return squared_length(p - q) <= reach * reach; });
-}
-
 VoxelGrid grid_around(std::span<const Vec3> points, double reach, double cell) {
   Bounds box;
   for (const auto& p : points) box.add(p);
@@ -52,16 +48,39 @@ VoxelGrid grid_around(std::span<const Vec3> points, double reach, double cell) {
           cells(extent.z)};
 }
 
+/// Cells with their centre within `reach` of one of the points.
+VoxelSet cells_near(const VoxelGrid& grid, std::span<const Vec3> points, double reach) {
+  VoxelSet near(grid.count(), 0);
+  const auto range = [&](double coordinate, int cells) {
+    const auto cell = [&](double at) {
+      return std::clamp(static_cast<int>(at / grid.size), 0, cells - 1);
+    };
+    return std::pair(cell(coordinate - reach - grid.size), cell(coordinate + reach + grid.size));
+  };
+  for (const auto& p : points) {
+    const Vec3 at = p - grid.origin;
+    const auto [x0, x1] = range(at.x, grid.nx);
+    const auto [y0, y1] = range(at.y, grid.ny);
+    const auto [z0, z1] = range(at.z, grid.nz);
+    for (int z = z0; z <= z1; ++z)
+      for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) {
+          const auto c = grid.index(x, y, z);
+          if (!near[c]) near[c] = squared_length(grid.center(c) - p) <= reach * reach;
+        }
+  }
+  return near;
+}
+
 /// Cells inside the surface within `reach` of the points.
 VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
                       const SurfaceSides& surface, double reach) {
+  VoxelSet inside = cells_near(grid, points, reach);
   std::vector<std::uint32_t> cells;
   std::vector<Vec3> centres;
   for (std::uint32_t c = 0; c < grid.count(); ++c)
-    if (is_near(grid.center(c), points, reach))
-      cells.push_back(c), centres.push_back(grid.center(c));
+    if (inside[c]) cells.push_back(c), centres.push_back(grid.center(c));
   const auto sides = surface.of(centres);
-  VoxelSet inside(grid.count(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) inside[cells[i]] = sides[i].side == Side::Inside;
   return inside;
 }

@@ -53,6 +53,14 @@ std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normal
   return static_cast<int>(*summary.handles);
 }
 
+/// The principal axis without the ball in the middle, for a shape of which no edge is left (a rod
+/// thinner than what the images show): long for a rod, short for a ball.
+VoteGraph middle_line(const NormalizedShape& shape, const Projections& projections, double voxel) {
+  const double half = 0.5 * (shape.high.y - shape.low.y);
+  const double end = std::max(half - std::max(hull_radius({}, projections), 0.0), voxel);
+  return {{{{0, -end, 0}}, {{0, end, 0}}}, {{0, 1}}};
+}
+
 }  // namespace
 
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options) {
@@ -122,7 +130,8 @@ ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& option
   stage("smoothing", 0.97);
   t.smoothed = smooth_branches(trim_leaves(t.collapsed, voxel), options.smoothing_passes);
   const Projections projections(t.views);
-  VoteGraph with_radii = t.smoothed;
+  VoteGraph with_radii =
+      t.smoothed.edges.empty() ? middle_line(normalized_shape, projections, voxel) : t.smoothed;
   for (auto& n : with_radii.nodes)
     n.radius = std::max(hull_radius(n.position, projections), 0.5 * pixel);
   t.skeleton = to_input_units(with_radii, t.normalization);

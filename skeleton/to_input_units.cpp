@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace marrow {
 
@@ -20,6 +21,9 @@ double power_of_ten(int exponent) {
 class DecimalRounding {
  public:
   explicit DecimalRounding(double quantum) {
+    // Powers of ten end, and so do the digits of numbers that small; no rounding then.
+    exact_ = !(quantum > 1e-290 && quantum < 1e290);
+    if (exact_) return;
     int exponent = 0;
     double p = 1;
     while (p > quantum && exponent > -300) p = power_of_ten(--exponent);
@@ -29,6 +33,7 @@ class DecimalRounding {
   }
 
   double operator()(double v) const {
+    if (exact_) return v + 0.0;  // no negative zero
     const double rounded =
         fraction_ ? std::nearbyint(v * power_) / power_ : std::nearbyint(v / power_) * power_;
     return std::isfinite(rounded) ? rounded + 0.0 : v;  // + 0.0: no negative zero
@@ -36,7 +41,7 @@ class DecimalRounding {
 
  private:
   double power_ = 1;
-  bool fraction_ = false;
+  bool fraction_ = false, exact_ = false;
 };
 
 }  // namespace
@@ -44,13 +49,16 @@ class DecimalRounding {
 CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization) {
   const double diagonal = normalization.length_to_input(2);
   const DecimalRounding round(kDigits * diagonal);
+  // Of a shape at the end of the range of numbers this would be zero or infinite.
+  const double least_radius =
+      std::clamp(kDigits * diagonal, std::numeric_limits<double>::denorm_min(), 1e300);
   CurveSkeleton skeleton;
   skeleton.nodes.reserve(graph.nodes.size());
   for (const auto& n : graph.nodes) {
     const Vec3 p = normalization.to_input(n.position);
     const double radius = normalization.length_to_input(n.radius);
     skeleton.nodes.push_back(
-        {{round(p.x), round(p.y), round(p.z)}, std::max(round(radius), kDigits * diagonal)});
+        {{round(p.x), round(p.y), round(p.z)}, std::max(round(radius), least_radius)});
   }
   skeleton.edges = graph.edges;
   return skeleton;

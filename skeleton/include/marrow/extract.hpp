@@ -23,8 +23,10 @@ struct ExtractOptions {
 };
 
 /// The curve-skeleton of `shape`, in its units, for every part of its visual hull. The same shape
-/// and options give the same bytes on any machine with any number of threads. Throws Error: Empty
-/// (nothing to skeletonise), Usage (an option out of range).
+/// and options give the same bytes on any machine with any number of threads. There is always an
+/// edge: where the method leaves none, a line of two nodes along the principal axis stands for the
+/// shape, short for a ball, long for a rod thinner than a pixel. Throws Error: Empty (nothing to
+/// skeletonise), Usage (an option out of range).
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 
 /// All intermediate results, in the order of the paper.

@@ -1,0 +1,162 @@
+#include <marrow/distance_transform.hpp>
+#include <marrow/hull_topology.hpp>
+
+#include "catch.hpp"
+#include "graphs.hpp"
+
+using namespace marrow;
+using namespace marrow::test;
+
+namespace {
+
+const VoxelGrid kGrid{{-1, -1, -1}, 0.1, 30, 20, 20};
+constexpr double kPixel = 0.03;
+
+void fill(VoxelSet& set, int x0, int x1, int y0, int y1, int z0, int z1, std::uint8_t value = 1) {
+  for (int z = z0; z < z1; ++z)
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) set[kGrid.index(x, y, z)] = value;
+}
+
+VoxelSet empty_set() { return VoxelSet(kGrid.count(), 0); }
+
+void add_vote(VoteGrid& votes, int x, int y, int z, int support) {
+  Vote vote;
+  vote.voxel = kGrid.index(x, y, z);
+  vote.count = 1;
+  vote.radius = 30;
+  vote.support = static_cast<std::uint8_t>(support);
+  vote.broad_support = static_cast<std::uint8_t>(support);
+  vote.position = kGrid.center(vote.voxel) + Vec3{0.01, -0.02, 0.03};
+  votes.votes.push_back(vote);
+}
+
+/// A core along x through row (10, 10).
+VoteGraph core_along_x(int x0, int x1, int support) {
+  VoteGraph core;
+  for (int x = x0; x < x1; ++x) {
+    const auto voxel = kGrid.index(x, 10, 10);
+    core.nodes.push_back({kGrid.center(voxel), 0.1, support, support, voxel});
+    if (x > x0) add_edge(core, static_cast<NodeId>(x - x0 - 1), static_cast<NodeId>(x - x0));
+  }
+  return core;
+}
+
+/// Two blocks with a gap from x = 13 to 16, all voted for.
+struct Blocks {
+  VoxelSet hull = empty_set();
+  VoteGrid votes{kGrid, {}};
+};
+
+Blocks two_blocks() {
+  Blocks b;
+  fill(b.hull, 4, 13, 7, 14, 7, 14);
+  fill(b.hull, 17, 26, 7, 14, 7, 14);
+  for (int x = 4; x < 26; ++x) add_vote(b.votes, x, 10, 10, 40);
+  return b;
+}
+
+long size_of(const VoxelSet& set) { return std::count(set.begin(), set.end(), 1); }
+
+}  // namespace
+
+TEST_CASE("the core joins the hull, but for a weak bridge", "[hull_topology]") {
+  const auto [hull, votes] = two_blocks();
+  const auto bridge = kGrid.index(15, 10, 10);
+  const VoxelSet strong = supported_solid(kGrid, hull, votes, core_along_x(6, 24, 26));
+  CHECK(size_of(strong) == size_of(hull) + 4);
+  CHECK(strong[bridge] == 1);
+  CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 25)) == hull);
+}
+
+TEST_CASE("a weak limb that bridges nothing joins the hull", "[hull_topology]") {
+  const auto [hull, votes] = two_blocks();
+  VoxelSet expected = hull;
+  fill(expected, 13, 16, 10, 11, 10, 11);
+  CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 16, 9)) == expected);
+}
+
+TEST_CASE("the mean over a bridge counts", "[hull_topology]") {
+  const auto [hull, votes] = two_blocks();
+  VoteGraph core = core_along_x(6, 24, 40);
+  core.nodes[8].support = 10;  // one of the four of the bridge
+  CHECK(supported_solid(kGrid, hull, votes, core)[kGrid.index(14, 10, 10)] == 1);
+  core.nodes[9].support = core.nodes[10].support = 10;
+  CHECK(supported_solid(kGrid, hull, votes, core) == hull);
+}
+
+TEST_CASE("parts with little support go", "[hull_topology]") {
+  auto [hull, votes] = two_blocks();
+  for (const int support : {0, 6, 8}) {
+    VoxelSet with_speck = hull;
+    fill(with_speck, 5, 8, 2, 4, 2, 4);
+    VoteGrid more = votes;
+    if (support > 0) add_vote(more, 5, 2, 2, support);
+    // Each block has 9 votes of 40 = 360; 2 % of it is 7.2.
+    const VoxelSet solid = supported_solid(kGrid, with_speck, more, {});
+    CHECK(solid == (support < 7 ? hull : with_speck));
+  }
+  CHECK(size_of(supported_solid(kGrid, empty_set(), {kGrid, {}}, {})) == 0);
+}
+
+TEST_CASE("thinning ends on the votes and at the core's leaves", "[hull_topology]") {
+  VoxelSet bar = empty_set();
+  fill(bar, 3, 27, 6, 15, 6, 15);
+  VoteGrid votes{kGrid, {}};
+  for (int x = 5; x < 25; ++x) add_vote(votes, x, 8, 10, 20);   // not in the middle of the bar,
+  for (int x = 5; x < 25; ++x) add_vote(votes, x, 12, 10, 40);  // and the stronger line wins
+  std::sort(votes.votes.begin(), votes.votes.end(),
+            [](const Vote& a, const Vote& b) { return a.voxel < b.voxel; });
+  VoteGraph core;
+  for (const int x : {5, 24}) {
+    const auto voxel = kGrid.index(x, 12, 10);
+    core.nodes.push_back({kGrid.center(voxel), 0.1, 40, 40, voxel});
+  }
+  add_edge(core, 0, 1);
+  const VoxelSet line = thin_by_votes(votes, bar, core);
+  VoxelSet expected = empty_set();
+  fill(expected, 5, 25, 12, 13, 10, 11);
+  CHECK(line == expected);
+}
+
+TEST_CASE("a tunnel of the solid stays a cycle", "[hull_topology]") {
+  VoxelSet ring = empty_set();
+  fill(ring, 4, 26, 3, 17, 8, 12);
+  fill(ring, 10, 20, 7, 13, 8, 12, 0);
+  const VoteGrid votes{kGrid, {}};
+  const VoxelSet thin_set = thin_by_votes(votes, ring, {});
+  const VoteGraph graph = graph_of(votes, ring, thin_set, kPixel);
+  CHECK(graph.nodes.size() == static_cast<std::size_t>(size_of(thin_set)));
+  CHECK(component_count(counts_of(graph)) == 1);
+  CHECK(cycle_count(counts_of(graph)) == 1);
+  CHECK(leaf_count(counts_of(graph)) == 0);
+}
+
+TEST_CASE("nodes of the graph stand where the votes say", "[hull_topology]") {
+  VoxelSet solid = empty_set();
+  fill(solid, 3, 27, 6, 15, 6, 15);
+  VoxelSet line = empty_set();
+  fill(line, 10, 13, 10, 11, 10, 11);
+  VoteGrid votes{kGrid, {}};
+  add_vote(votes, 9, 10, 10, 42);  // not in the set
+  add_vote(votes, 11, 10, 10, 33);
+  const VoteGraph graph = graph_of(votes, solid, line, kPixel);
+  REQUIRE(graph.nodes.size() == 3);
+  CHECK(graph.edges == std::vector<CurveSkeleton::Edge>{{0, 1}, {1, 2}});
+  CHECK(graph.nodes[1].position == votes.votes[1].position);
+  CHECK(graph.nodes[1].support == 33);
+  CHECK(graph.nodes[1].broad_support == 33);
+  CHECK(graph.nodes[1].radius == Approx(pixels_of(30) * kPixel));
+  CHECK(graph.nodes[0].position == kGrid.center(kGrid.index(10, 10, 10)));
+  CHECK(graph.nodes[0].support == 0);
+  CHECK(graph.nodes[0].radius == Approx((5 - 0.5) * kGrid.size));  // five voxels deep
+  CHECK(graph.nodes[2].voxel == kGrid.index(12, 10, 10));
+}
+
+TEST_CASE("corners of the voxels make no triangles", "[hull_topology]") {
+  // An L of three voxels: the diagonal is the longest side.
+  VoxelSet corner = empty_set();
+  for (const auto& [x, y] : {std::pair(5, 5), {6, 5}, {6, 6}}) corner[kGrid.index(x, y, 5)] = 1;
+  const VoteGraph graph = graph_of({kGrid, {}}, corner, corner, kPixel);
+  CHECK(graph.edges == std::vector<CurveSkeleton::Edge>{{0, 1}, {1, 2}});
+}

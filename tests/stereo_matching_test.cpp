@@ -61,6 +61,11 @@ TEST_CASE("a match votes where both pixels look", "[stereo_matching]") {
   CHECK(std::abs(centre.z - expected.z) <= grid.grid.size / 2);
 }
 
+TEST_CASE("the lesser distance is the radius, whichever eye sees it", "[stereo_matching]") {
+  CHECK(votes_of({pair_of({}, {{40, 20, 12}}, {{25, 20, 9}})}).votes.at(0).radius == 9);
+  CHECK(votes_of({pair_of({}, {{40, 20, 9}}, {{25, 20, 12}})}).votes.at(0).radius == 9);
+}
+
 TEST_CASE("only pixels of one scanline match, each with each", "[stereo_matching]") {
   const auto apart = votes_of({pair_of({}, {{40, 20, 9}}, {{25, 21, 12}})});
   CHECK(apart.votes.empty());

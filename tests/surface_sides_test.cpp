@@ -85,6 +85,50 @@ TEST_CASE("all ties of a ball on a lattice", "[surface_sides]") {
   check_against_winding_number(flipped(ball), scaled(16, 8));
 }
 
+TEST_CASE("every line along every axis crosses edges and corners once", "[surface_sides]") {
+  // Two opposite faces of a cube as grids, and one of each other pair: only lines through the two
+  // have a say, so that no other line can hide a crossing that is counted twice or never.
+  constexpr int kCells = 4;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Shape shape;
+    const auto point = [&](double along, double u, double v) {
+      std::array<double, 3> p{};
+      p[axis] = along, p[(axis + 1) % 3] = u, p[(axis + 2) % 3] = v;
+      shape.points.push_back({p[0], p[1], p[2]});
+      return static_cast<std::uint32_t>(shape.points.size() - 1);
+    };
+    const auto quad = [&](std::array<std::uint32_t, 4> q, bool turned) {
+      if (turned) q = {q[1], q[2], q[3], q[0]};
+      shape.triangles.push_back({q[0], q[1], q[2]});
+      shape.triangles.push_back({q[0], q[2], q[3]});
+    };
+    for (int i = 0; i < kCells; ++i)
+      for (int j = 0; j < kCells; ++j) {
+        const double u = double(i) / kCells - 0.5, v = double(j) / kCells - 0.5, d = 1.0 / kCells;
+        for (const double h : {-0.5, 0.5}) {
+          std::array<std::uint32_t, 4> q{point(h, u, v), point(h, u + d, v), point(h, u + d, v + d),
+                                         point(h, u, v + d)};
+          if (h < 0) std::swap(q[1], q[3]);
+          quad(q, (i * j + i) % 3 == 0);
+        }
+      }
+    quad({point(-0.5, -0.5, -0.5), point(0.5, -0.5, -0.5), point(0.5, -0.5, 0.5),
+          point(-0.5, -0.5, 0.5)},
+         false);
+    quad({point(-0.5, -0.5, -0.5), point(-0.5, 0.5, -0.5), point(0.5, 0.5, -0.5),
+          point(0.5, -0.5, -0.5)},
+         false);
+    std::vector<Vec3> points;
+    for (int k = 0; k < 15 * 15 * 15; ++k)
+      points.push_back(Vec3{k % 15 - 7.0, k / 15 % 15 - 7.0, k / 225 - 7.0} / 16);
+    int wrong = 0;
+    for (const auto& s : ask(shape, points)) wrong += s.side != Side::Inside;
+    for (const auto& s : ask(flipped(shape), points)) wrong += s.side != Side::Inside;
+    INFO("axis " << axis);
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("a closed mesh may be inverted", "[surface_sides]") {
   const Shape cube = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   const std::vector<Vec3> points{{0.1, 0.2, 0.3}, {0.1, 0.2, 0.7}, {0.9, 0.9, 0.9}};

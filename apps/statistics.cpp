@@ -1,10 +1,10 @@
 #include "statistics.hpp"
 
-#include <algorithm>
-#include <cstdio>
-
 #include <marrow/bounds.hpp>
 #include <marrow/shape_summary.hpp>
+
+#include <algorithm>
+#include <cstdio>
 
 namespace marrow {
 

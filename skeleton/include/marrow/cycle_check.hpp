@@ -17,8 +17,9 @@ namespace marrow {
 ///   there, and its least supported branch is cut.
 VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel);
 
-/// Cuts branches on cycles, the least supported first, until no more than `most_cycles` are left:
-/// the genus, for a shape whose surface is one closed manifold.
+/// Cuts branches on cycles, the least supported first, until no more than `most_cycles` are left
+/// (the genus, for a shape whose surface is one closed manifold) or every cycle is a part by
+/// itself.
 VoteGraph cut_surplus_cycles(const VoteGraph& graph, int most_cycles);
 
 }  // namespace marrow

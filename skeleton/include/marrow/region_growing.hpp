@@ -1,4 +1,5 @@
-// Ordered region growing (ORG, section 4.3): a maximum spanning tree through the votes.
+// Ordered region growing (ORG, section 4.3): a spanning tree through the votes, the strongest
+// first.
 #pragma once
 
 #include <marrow/vote_graph.hpp>

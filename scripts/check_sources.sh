@@ -20,6 +20,8 @@ git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source
 
 say "clang-tidy"
 quietly build/release.configure.log cmake --preset release
+# Warnings are the compiler's matter: clang finds others than the GCC that the flags are for.
 git ls-files -z '*.cpp' |
-  xargs -0 -n 1 -P "$jobs" clang-tidy -p build/release --quiet 2>build/clang-tidy.log ||
+  xargs -0 -n 1 -P "$jobs" clang-tidy -p build/release --quiet --extra-arg=-Wno-error \
+    2>build/clang-tidy.log ||
   die "clang-tidy found what is above (to repeat it on one file: clang-tidy -p build/release FILE)"

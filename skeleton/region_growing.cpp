@@ -65,7 +65,8 @@ class Growth {
         frontier;
     frontier.push({seed, kNoVote});
     while (!frontier.empty()) {
-      const auto [rank, parent] = frontier.top();
+      // No structured binding: clang 14 cannot capture one.
+      const std::uint32_t rank = frontier.top().first, parent = frontier.top().second;
       frontier.pop();
       if (node_of_[rank] != kNoVote) continue;
       const Vote& vote = votes_.votes[order_[rank]];

@@ -40,13 +40,16 @@ class Buckets {
   }
 
   std::span<const std::uint32_t> at(int x, int y) const {
-    const auto c = static_cast<std::size_t>(y * kCells + x);
+    const std::size_t c = index_of(x, y);
     return std::span(index_).subspan(start_[c], start_[c + 1] - start_[c]);
   }
 
  private:
   static std::size_t cell(std::int64_t u, std::int64_t v) {
-    return static_cast<std::size_t>(cell_of(v) * kCells + cell_of(u));
+    return index_of(cell_of(u), cell_of(v));
+  }
+  static std::size_t index_of(int x, int y) {
+    return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
   }
 
   std::vector<std::uint32_t> start_, index_;

@@ -37,7 +37,7 @@ VoteGrid random_votes(std::uint64_t seed) {
     for (int y = 0; y < kGrid.ny; ++y)
       for (int x = 0; x < kGrid.nx; ++x) {
         if (random.below(100) >= 20) continue;
-        add_vote(grid, x, y, z, 5 + random.below(38),
+        add_vote(grid, x, y, z, 5 + static_cast<int>(random.below(38)),
                  1 + static_cast<std::uint32_t>(random.below(3)),
                  static_cast<ChamferDistance>(3 + random.below(4)));
       }

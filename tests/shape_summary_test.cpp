@@ -14,7 +14,7 @@ Shape make_torus(std::uint32_t n, std::uint32_t m) {
   const Vec3 ring[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
-      const Vec3 out = ring[i % 4] + Vec3{0, 0, 0.001} * (i / 4);
+      const Vec3 out = ring[i % 4] + Vec3{0, 0, 0.001} * static_cast<double>(i >> 2);
       s.points.push_back(out * (2 + ring[j % 4].x) + Vec3{0, 0, ring[j % 4].y});
     }
   for (std::uint32_t i = 0; i < n; ++i)

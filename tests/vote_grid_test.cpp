@@ -148,7 +148,8 @@ TEST_CASE("votes: stay off the outermost layer") {
   for (const double reach : {1.0, far - 1e-9, far}) {
     VoteAccumulator accumulator(grid);
     for (int i = 0; i < 27; ++i) {
-      const Vec3 p{reach * (i % 3 - 1), reach * (i / 3 % 3 - 1), reach * (i / 9 - 1)};
+      const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+      const Vec3 p{reach * x, reach * y, reach * z};
       accumulator.vote(p, 9);
     }
     const VoteGrid votes = std::move(accumulator).finish();
@@ -179,7 +180,8 @@ TEST_CASE("votes: any threads give the same grid") {
         });
       go = true;
       for (std::thread& t : threads) t.join();
-      CHECK(std::move(accumulator).finish() == expected);
+      const VoteGrid result = std::move(accumulator).finish();
+      CHECK(result == expected);
     }
   }
 
@@ -197,7 +199,8 @@ TEST_CASE("votes: any threads give the same grid") {
       });
       CHECK(least_threads == 8);  // nothing in the process has turned it down
       CHECK(global_control::active_value(global_control::max_allowed_parallelism) == 8);
-      CHECK(std::move(accumulator).finish() == expected);
+      const VoteGrid result = std::move(accumulator).finish();
+      CHECK(result == expected);
     }
   }
 }

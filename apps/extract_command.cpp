@@ -146,11 +146,13 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
                     {"obj", "ply", "stl", "off"});
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
-  verb.add_option("--image", request.image, "Pixels along a side of each silhouette")
+  verb.add_option("--image", request.image,
+                  "Pixels along a side of each silhouette; by default 256, and 512 where parts\n"
+                  "are thinner than a pixel")
       ->check(CLI::Range(64, 1024).description(""))
-      ->type_name("64..1024")
-      ->capture_default_str();
-  verb.add_option("--grid", request.grid, "Voxels along the longest side of the shape")
+      ->type_name("64..1024");
+  verb.add_option("--grid", request.grid,
+                  "Voxels along the longest side of the shape; thin parts get up to 192")
       ->check(CLI::Range(16, 256).description(""))
       ->type_name("16..256")
       ->capture_default_str();
@@ -179,7 +181,7 @@ void add_extract_command(CLI::App& program) {
       "\n"
       "Examples:\n"
       "  marrow extract horse.obj -o horse.skel\n"
-      "  marrow extract thin.stl -o thin.json --image 512 --json -\n"
+      "  marrow extract tiny_parts.stl -o out.json --image 1024 --json -\n"
       "  marrow extract lost_limb.ply -o out.obj --trace stages/\n"
       "  unzip -p horse.zip | marrow extract - --from ply -o - --to obj | marrow info - --from "
       "obj\n");

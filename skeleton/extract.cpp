@@ -22,12 +22,14 @@ namespace marrow {
 
 namespace {
 
+constexpr int kFirstImage = 256, kFinestImage = 512;  // pixels along a side
+
 void check(const ExtractOptions& o) {
   const auto require = [](bool ok, const char* message) {
     if (!ok) throw Error(ErrorKind::Usage, message);
   };
-  require(o.image_resolution >= 64 && o.image_resolution <= 1024,
-          "the image resolution must be 64 to 1024");
+  require(o.image_resolution == 0 || (o.image_resolution >= 64 && o.image_resolution <= 1024),
+          "the image resolution must be 64 to 1024, or 0");
   require(o.grid_resolution >= 16 && o.grid_resolution <= 256,
           "the grid resolution must be 16 to 256");
   require(o.smoothing_passes >= 0, "the number of smoothing passes must not be negative");
@@ -42,6 +44,15 @@ void for_each_view(std::size_t count, int threads, Task task) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
+}
+
+std::vector<StereoImages> draw_views(const NormalizedShape& shape, int resolution, int threads) {
+  const auto directions = hemisphere_directions();
+  std::vector<StereoImages> views(directions.size());
+  for_each_view(directions.size(), threads, [&](std::size_t i) {
+    views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution);
+  });
+  return views;
 }
 
 /// The genus of a shape that is one closed manifold; not counted where the graph has no cycle.
@@ -78,21 +89,23 @@ ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& option
   stage("normalise", 0);
   t.normalization = normalize(shape);
   const NormalizedShape normalized_shape = apply(t.normalization, shape);
-  const double pixel = PixelGrid{options.image_resolution}.pixel();
 
-  // 4.1: 21 stereo pairs, each one task.
+  // 4.1: 21 stereo pairs, each one task; again, and finer, where parts are thinner than a pixel.
   stage("views", 0.05);
-  const auto directions = hemisphere_directions();
-  t.views.resize(directions.size());
-  for_each_view(directions.size(), options.max_threads, [&](std::size_t i) {
-    const StereoPair pair = stereo_pair(normalized_shape, directions[i]);
-    t.views[i] = draw_stereo_images(normalized_shape, pair, options.image_resolution);
-  });
+  const bool fixed = options.image_resolution > 0;
+  t.resolution = {fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
+  t.views = draw_views(normalized_shape, t.resolution.image, options.max_threads);
+  const Resolution finer = resolution_for(normalized_shape.low, normalized_shape.high, t.views,
+                                          t.resolution, fixed ? 0 : kFinestImage);
+  if (finer.image > t.resolution.image)
+    t.views = draw_views(normalized_shape, finer.image, options.max_threads);
+  t.resolution = finer;
+  const double pixel = PixelGrid{finer.image}.pixel();
 
   // 4.2: matching and voting.
   stage("matching", 0.5);
   VoteAccumulator accumulator(
-      choose_voxel_grid(normalized_shape, t.views, options.grid_resolution));
+      make_voxel_grid(normalized_shape.low, normalized_shape.high, t.resolution.grid));
   for_each_view(t.views.size(), options.max_threads,
                 [&](std::size_t i) { cast_votes(t.views[i], accumulator); });
   t.votes = std::move(accumulator).finish();

@@ -5,6 +5,7 @@
 
 #include <analytic_shapes.hpp>
 #include <tbb/global_control.h>
+#include <tube.hpp>
 
 #include <bit>
 #include <map>
@@ -207,13 +208,31 @@ TEST_CASE("the number of threads is nothing", "[extract]") {
   }
 }
 
+TEST_CASE("small thin parts get finer images, unless the images are given", "[extract]") {
+  // Needles through a thick body, thinner than a pixel of 256.
+  const Shape& body = made("star");
+  const Vec3 half = bounds_of(body).high;
+  Shape shape = body;
+  for (const double x : {-0.7, 0.7}) {
+    const Shape needle = make_ellipsoid(Vec3{0.004, 0.45, 0.004} * half.x, 2);
+    append(shape, moved(needle, Frame{}, {x * half.x, 0, 0}));
+  }
+  ExtractOptions options;
+  CHECK(extract_with_trace(body, options).resolution.image == 256);
+  CHECK(extract_with_trace(shape, options).resolution == Resolution{512, 192});
+  options.image_resolution = 128;
+  const ExtractTrace given = extract_with_trace(shape, options);
+  CHECK(given.resolution.image == 128);
+  CHECK(given.views[0].front.silhouette.width() == 128);
+}
+
 TEST_CASE("options out of range are refused", "[extract]") {
   const auto refused = [](auto change) {
     ExtractOptions options;
     change(options);
     return failure(made("capsule"), options) == ErrorKind::Usage;
   };
-  for (const int n : {-1, 0, 63, 1025}) {
+  for (const int n : {-1, 1, 63, 1025}) {
     CHECK(refused([&](ExtractOptions& o) { o.image_resolution = n; }));
   }
   for (const int n : {-1, 0, 15, 257}) {

@@ -27,7 +27,7 @@ double slack(const std::string& name) { return name == "hand" ? 1.5 : 1; }
 
 ExtractOptions defaults_or_small() {
   ExtractOptions options;
-  options.image_resolution = scaled(256, 128);
+  options.image_resolution = scaled(0, 128);
   options.grid_resolution = scaled(128, 64);
   return options;
 }

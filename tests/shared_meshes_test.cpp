@@ -58,7 +58,7 @@ TEST_CASE("real shapes have the topology that a person sees", "[extract][meshes]
   }
   const json items = json::parse(file).at("items");
   ExtractOptions options;
-  options.image_resolution = scaled(256, 128);
+  options.image_resolution = scaled(0, 128);
   options.grid_resolution = scaled(128, 64);
   int judged = 0, wrong = 0;
   std::string faults;

@@ -90,22 +90,3 @@ TEST_CASE("no medial pixels, no votes", "[stereo_matching]") {
   CHECK(votes_of({pair_of({}, {}, {})}).votes.empty());
   CHECK(votes_of({pair_of({}, {{1, 1, 3}}, {})}).votes.empty());
 }
-
-TEST_CASE("the grid gets finer where the shape is thin", "[stereo_matching]") {
-  NormalizedShape shape;
-  shape.low = {-0.5, -1, -0.25};
-  shape.high = {0.5, 1, 0.25};
-  const auto with_radius = [&](double voxels, int resolution) {
-    const double size = make_voxel_grid(shape.low, shape.high, resolution).size;
-    const auto thirds = static_cast<ChamferDistance>(3 * (voxels * size / kPixels.pixel() + 0.5));
-    const std::vector<StereoImages> views{pair_of({}, {{9, 9, thirds}}, {{9, 9, thirds}})};
-    return choose_voxel_grid(shape, views, resolution);
-  };
-  const auto plain = make_voxel_grid(shape.low, shape.high, 32);
-  CHECK(choose_voxel_grid(shape, {}, 32) == plain);
-  CHECK(with_radius(5, 32) == plain);
-  CHECK(with_radius(1, 32).size < plain.size);
-  CHECK(with_radius(1, 32).size > plain.size / 4);
-  CHECK(with_radius(0.01, 150) == make_voxel_grid(shape.low, shape.high, 192));
-  CHECK(with_radius(0.01, 220) == make_voxel_grid(shape.low, shape.high, 220));
-}

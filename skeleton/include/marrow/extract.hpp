@@ -3,6 +3,7 @@
 
 #include <marrow/curve_skeleton.hpp>
 #include <marrow/normalization.hpp>
+#include <marrow/resolution.hpp>
 #include <marrow/stereo_images.hpp>
 #include <marrow/visual_hull.hpp>
 #include <marrow/vote_graph.hpp>
@@ -13,10 +14,12 @@
 namespace marrow {
 
 struct ExtractOptions {
-  int image_resolution = 256;  ///< pixels along a side of each of the 42 images, 64 to 1024
-  int grid_resolution = 128;   ///< voxels along the longest side of the shape, 16 to 256
-  int smoothing_passes = 5;    ///< 0 and up
-  int max_threads = 0;         ///< 0: as many as the machine has; the result does not depend on it
+  int image_resolution = 0;   ///< pixels along a side of each of the 42 images, 64 to 1024; 0: 256,
+                              ///< or 512 where parts are thinner than a pixel
+  int grid_resolution = 128;  ///< voxels along the longest side of the shape, 16 to 256; thin
+                              ///< shapes and parts get up to 192
+  int smoothing_passes = 5;   ///< 0 and up
+  int max_threads = 0;        ///< 0: as many as the machine has; the result does not depend on it
   /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on
   /// the calling thread. May throw to stop the work.
   std::function<void(std::string_view stage, double done)> on_stage;
@@ -32,6 +35,7 @@ CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 /// All intermediate results, in the order of the paper.
 struct ExtractTrace {
   Normalization normalization;
+  Resolution resolution;            ///< of the images and the grid
   std::vector<StereoImages> views;  ///< 4.1: silhouettes, distances, medial axes
   VoteGrid votes;                   ///< 4.2
   VoteGrid cleaned;                 ///< 4.3: with support

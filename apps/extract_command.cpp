@@ -1,6 +1,7 @@
 // marrow extract: a shape in, its curve-skeleton out.
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
+#include <marrow/simd.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace marrow {
 namespace {
 
 struct ExtractRequest {
-  std::string shape, from, out, to, json, trace;
+  std::string shape, from, out, to, json, trace, simd;
   int image = ExtractOptions{}.image_resolution;
   int grid = ExtractOptions{}.grid_resolution;
   int threads = 0;
@@ -115,6 +116,7 @@ void check_request(const ExtractRequest& request) {
 
 void run_extract(const ExtractRequest& request) {
   check_request(request);
+  set_simd_target(request.simd);
   const SkeletonFormat format = output_skeleton_format(request.out, request.to);
   Progress progress(request.quiet);
   progress.begin("read", 0);
@@ -161,6 +163,9 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->check(CLI::Range(0, 1024).description(""))
       ->type_name("0..1024")
       ->capture_default_str();
+  verb.add_option("--simd", request.simd,
+                  "Instruction set in place of the best one; the result does not depend on it")
+      ->type_name("NAME");
   verb.add_option("--json", request.json,
                   "File for counts, options and times; - is standard output")
       ->type_name("FILE");

@@ -19,6 +19,7 @@ install(
   FILES
     ${CMAKE_CURRENT_BINARY_DIR}/marrowConfig.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/marrowConfigVersion.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/Findhwy.cmake
   DESTINATION ${marrow_cmake_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

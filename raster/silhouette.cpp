@@ -9,7 +9,6 @@ namespace marrow {
 
 namespace {
 
-constexpr int kLatticeBits = 15;
 constexpr double kSmallHole = 0.02;  // inscribed radius, in sides of the image
 
 /// Half plane a * x + c >= 0 along one row; x in pixels.
@@ -21,7 +20,7 @@ struct EdgeOnRow {
 class LatticeTriangle {
  public:
   LatticeTriangle(const SnappedPoints& p, const Triangle& t, int shift) {
-    for (std::size_t i = 0; i < 3; ++i) x_[i] = p.x[t[i]], y_[i] = p.y[t[i]];
+    for (std::size_t i = 0; i < 3; ++i) x_[i] = p.x(t[i]), y_[i] = p.y(t[i]);
     const int round_up = (1 << shift) - 1;
     left = (std::min({x_[0], x_[1], x_[2]}) + round_up) >> shift;
     right = std::max({x_[0], x_[1], x_[2]}) >> shift;
@@ -120,10 +119,10 @@ void trace_edge(BitImage& trace, const BitImage& near_mask, int x0, int y0, int 
 /// For every point, whether its pixel is not covered by `near_mask`; empty when all are.
 std::vector<std::uint8_t> uncovered_points(const SnappedPoints& points, const BitImage& near_mask,
                                            int shift) {
-  std::vector<std::uint8_t> uncovered(points.x.size());
+  std::vector<std::uint8_t> uncovered(points.size());
   bool any = false;
   for (std::size_t i = 0; i < uncovered.size(); ++i) {
-    uncovered[i] = !near_mask(nearest_pixel(points.x[i], shift), nearest_pixel(points.y[i], shift));
+    uncovered[i] = !near_mask(nearest_pixel(points.x(i), shift), nearest_pixel(points.y(i), shift));
     any |= uncovered[i] != 0;
   }
   if (!any) uncovered.clear();
@@ -131,32 +130,6 @@ std::vector<std::uint8_t> uncovered_points(const SnappedPoints& points, const Bi
 }
 
 }  // namespace
-
-int subpixels_of(int resolution) {
-  const int limit = (1 << kLatticeBits) / resolution;
-  return static_cast<int>(std::bit_floor(static_cast<unsigned>(limit)));
-}
-
-SnappedPoints snap(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
-  const PixelGrid pixels{resolution};
-  const double steps = subpixels_of(resolution);
-  const auto scale = static_cast<float>(steps / pixels.pixel());
-  const auto offset = static_cast<float>(0.5 * (resolution - 1) * steps + 0.5);
-  const auto project = [&](const Vec3& axis, std::vector<std::int16_t>& out) {
-    const auto ax = static_cast<float>(axis.x), ay = static_cast<float>(axis.y),
-               az = static_cast<float>(axis.z);
-    out.resize(shape.x.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const float along = ax * shape.x[i] + ay * shape.y[i] + az * shape.z[i];
-      // Positive, so that the conversion's truncation is a floor.
-      out[i] = static_cast<std::int16_t>(static_cast<int>(along * scale + offset));
-    }
-  };
-  SnappedPoints points;
-  project(plane.u, points.x);
-  project(plane.v, points.y);
-  return points;
-}
 
 BitImage fill_triangles(const SnappedPoints& points, std::span<const Triangle> triangles,
                         int resolution) {
@@ -184,7 +157,7 @@ void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
     if ((small && !seen) || std::abs(box.twice_area()) >= thin) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto a = t[i], b = t[(i + 1) % 3];
-      trace_edge(trace, near_mask, points.x[a], points.y[a], points.x[b], points.y[b], shift);
+      trace_edge(trace, near_mask, points.x(a), points.y(a), points.x(b), points.y(b), shift);
     }
   }
   for (int y = 0; y < resolution; ++y)

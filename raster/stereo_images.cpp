@@ -48,7 +48,7 @@ PlaneMoments pixel_moments(const BitImage& mask) {
 
 PlaneMoments point_moments(const SnappedPoints& points) {
   PlaneMoments m;
-  for (std::size_t i = 0; i < points.x.size(); ++i) m.add(points.x[i], points.y[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) m.add(points.x(i), points.y(i));
   return m;
 }
 

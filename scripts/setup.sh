@@ -12,6 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 packages=(
   g++ cmake ninja-build
   libtbb-dev            # the views in parallel
+  libhwy-dev            # the instruction set, chosen at run time
   libtinyobjloader-dev  # OBJ
   libcli11-dev          # the options of the program
   nlohmann-json3-dev    # JSON

@@ -1,8 +1,10 @@
 // Prints a hash of every stage of the method for some shapes. What it prints must be the same from
 // every compiler, at every optimisation level, on every machine and under the sanitizers; see
-// scripts/check_bits.sh and golden/bits.txt.
+// scripts/check_bits.sh and golden/bits.txt. Runs on every instruction set that the machine has,
+// and says where one of them differs.
 #include <marrow/extract.hpp>
 #include <marrow/silhouette.hpp>
+#include <marrow/simd.hpp>
 #include <marrow/skeleton_io.hpp>
 
 #include <bit>
@@ -55,8 +57,8 @@ Hash hash_of_snapped(const NormalizedShape& shape, const std::vector<StereoImage
   for (const StereoImages& view : views) {
     for (const ViewImage* image : {&view.front, &view.side}) {
       const SnappedPoints snapped = snap(shape, image->plane, resolution);
-      for (const auto x : snapped.x) h.add(x);
-      for (const auto y : snapped.y) h.add(y);
+      for (std::size_t i = 0; i < snapped.size(); ++i) h.add(std::int16_t(snapped.x(i)));
+      for (std::size_t i = 0; i < snapped.size(); ++i) h.add(std::int16_t(snapped.y(i)));
     }
   }
   return h;
@@ -114,36 +116,53 @@ Hash hash_of(std::string_view text) {
   return h;
 }
 
-void print(const std::string& name, const char* stage, const Hash& hash) {
-  std::printf("%s %s %016llx\n", name.c_str(), stage,
-              static_cast<unsigned long long>(hash.value()));
+/// "shape stage hash", in the order of the stages.
+using Lines = std::vector<std::string>;
+
+void add_line(Lines& lines, const std::string& name, const char* stage, const Hash& hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value()));
+  lines.push_back(name + ' ' + stage + ' ' + digits);
 }
 
-void print_stages(const std::string& name) {
+void add_stages(Lines& lines, const std::string& name) {
   const Shape shape = make_analytic_shape(name).shape;
   ExtractOptions options;
   options.image_resolution = 128;
   options.grid_resolution = 64;
   const ExtractTrace t = extract_with_trace(shape, options);
-  print(name, "normalization", hash_of(t.normalization));
-  print(name, "snapped",
-        hash_of_snapped(apply(t.normalization, shape), t.views, options.image_resolution));
-  print(name, "views", hash_of(t.views));
-  print(name, "votes", hash_of(t.votes));
-  print(name, "cleaned", hash_of(t.cleaned));
-  print(name, "tree", hash_of(t.tree));
-  print(name, "core", hash_of(t.core));
-  print(name, "solid", hash_of(t.solid));
-  print(name, "thinned", hash_of(t.thinned));
-  print(name, "collapsed", hash_of(t.collapsed));
-  print(name, "smoothed", hash_of(t.smoothed));
-  print(name, "skeleton", hash_of(format_skeleton(t.skeleton, SkeletonFormat::Obj)));
+  const auto add = [&](const char* stage, const Hash& h) { add_line(lines, name, stage, h); };
+  add("normalization", hash_of(t.normalization));
+  add("snapped", hash_of_snapped(apply(t.normalization, shape), t.views, options.image_resolution));
+  add("views", hash_of(t.views));
+  add("votes", hash_of(t.votes));
+  add("cleaned", hash_of(t.cleaned));
+  add("tree", hash_of(t.tree));
+  add("core", hash_of(t.core));
+  add("solid", hash_of(t.solid));
+  add("thinned", hash_of(t.thinned));
+  add("collapsed", hash_of(t.collapsed));
+  add("smoothed", hash_of(t.smoothed));
+  add("skeleton", hash_of(format_skeleton(t.skeleton, SkeletonFormat::Obj)));
+}
+
+Lines all_lines() {
+  Lines lines;
+  for (const char* name :
+       {"tapered-capsule", "torus", "trefoil", "star-union", "gingerbread-man", "quadruped"})
+    add_stages(lines, name);
+  return lines;
 }
 
 }  // namespace
 
 int main() {
-  for (const char* name :
-       {"tapered-capsule", "torus", "trefoil", "star-union", "gingerbread-man", "quadruped"})
-    print_stages(name);
+  const Lines expected = all_lines();
+  for (const std::string& line : expected) std::puts(line.c_str());
+  for (const std::string& target : simd_targets()) {
+    set_simd_target(target);
+    const Lines lines = all_lines();
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i] != expected[i]) std::printf("on %s: %s\n", target.c_str(), lines[i].c_str());
+  }
 }

@@ -120,6 +120,12 @@ for threads in 1 3 8; do
   same skeleton.obj again.obj
 done
 
+bad 2 "no instruction set MMX" extract torus.obj -o out.obj --simd MMX
+for simd in $(tail -n 1 stderr | sed 's/.*one of //; s/,//g'); do
+  silent extract torus.obj -o again.obj --simd "$simd" "${quick[@]}"
+  same skeleton.obj again.obj
+done
+
 # --- standard input and output --------------------------------------------------------------------
 "$marrow" extract - --from obj -o - --to skel "${quick[@]}" <torus.obj >piped.skel || fail "pipe"
 same skeleton.skel piped.skel

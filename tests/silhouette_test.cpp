@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "sample_shapes.hpp"
 #include "scale.hpp"
+#include "simd_targets.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -27,7 +28,7 @@ BitImage slow_fill(const SnappedPoints& points, const std::vector<Triangle>& tri
   const int steps = subpixels_of(n);
   for (const Triangle& t : triangles) {
     std::array<std::array<std::int64_t, 2>, 3> c;
-    for (std::size_t i = 0; i < 3; ++i) c[i] = {points.x[t[i]], points.y[t[i]]};
+    for (std::size_t i = 0; i < 3; ++i) c[i] = {points.x(t[i]), points.y(t[i])};
     const auto [x0, x1] = std::minmax({c[0][0], c[1][0], c[2][0]});
     const auto [y0, y1] = std::minmax({c[0][1], c[1][1], c[2][1]});
     for (int y = 0; y < n; ++y) {
@@ -62,11 +63,8 @@ Shape without_some_faces(Shape shape) {
 }
 
 SnappedPoints lattice_points(const std::vector<std::array<int, 2>>& points) {
-  SnappedPoints result;
-  for (const auto& p : points) {
-    result.x.push_back(static_cast<std::int16_t>(p[0]));
-    result.y.push_back(static_cast<std::int16_t>(p[1]));
-  }
+  SnappedPoints result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) result.set(i, points[i][0], points[i][1]);
   return result;
 }
 
@@ -147,19 +145,51 @@ TEST_CASE("snap: nearest lattice place, within the margin and 15 bits") {
     for (int i = 0; i < 10; ++i) {
       const ViewPlane plane = random_plane(random);
       const SnappedPoints snapped = snap(shape, plane, n);
-      REQUIRE(snapped.x.size() == shape.x.size());
+      REQUIRE(snapped.size() == shape.x.size());
       double error = 0;
       for (std::size_t k = 0; k < shape.x.size(); ++k) {
         const Vec3 p{shape.x[k], shape.y[k], shape.z[k]};
         error = std::max(
-            {error, std::abs(snapped.x[k] - PixelGrid{n}.to_pixels(dot(plane.u, p)) * steps),
-             std::abs(snapped.y[k] - PixelGrid{n}.to_pixels(dot(plane.v, p)) * steps)});
-        for (const int c : {int{snapped.x[k]}, int{snapped.y[k]}}) {
+            {error, std::abs(snapped.x(k) - PixelGrid{n}.to_pixels(dot(plane.u, p)) * steps),
+             std::abs(snapped.y(k) - PixelGrid{n}.to_pixels(dot(plane.v, p)) * steps)});
+        for (const int c : {snapped.x(k), snapped.y(k)}) {
           CHECK(c >= 2 * steps);
           CHECK(c <= (n - 3) * steps);
         }
       }
       CHECK(error < 0.52);
+    }
+  }
+}
+
+TEST_CASE("snap: the same floats on every instruction set, whatever the number of points") {
+  Random random(11);
+  for (const std::size_t count : {1, 2, 3, 7, 8, 9, 31, 33, 1000}) {
+    NormalizedShape shape;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 p = random.frame().x;
+      shape.x.push_back(static_cast<float>(p.x));
+      shape.y.push_back(static_cast<float>(p.y));
+      shape.z.push_back(static_cast<float>(p.z));
+    }
+    const ViewPlane plane = random_plane(random);
+    for (const int n : kResolutions) {
+      const auto expected = [&](const Vec3& axis, std::size_t i) {
+        const auto x = static_cast<float>(axis.x), y = static_cast<float>(axis.y),
+                   z = static_cast<float>(axis.z);
+        const double steps = subpixels_of(n);
+        const float along = x * shape.x[i] + y * shape.y[i] + z * shape.z[i];
+        const float scaled = along * static_cast<float>(steps / PixelGrid{n}.pixel());
+        return static_cast<int>(scaled + static_cast<float>(0.5 * (n - 1) * steps + 0.5));
+      };
+      on_each_simd_target([&] {
+        const SnappedPoints snapped = snap(shape, plane, n);
+        REQUIRE(snapped.size() == count);
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < count; ++i)
+          wrong += snapped.x(i) != expected(plane.u, i) || snapped.y(i) != expected(plane.v, i);
+        CHECK(wrong == 0);
+      });
     }
   }
 }
@@ -188,11 +218,10 @@ TEST_CASE("fill: random triangles, also without area, as the definition says") {
       const int reach = subpixels_of(n) * std::array{1, 2, 8, n}[static_cast<std::size_t>(i % 4)];
       SnappedPoints points = random_points(random, n, 30, reach);
       for (std::size_t k = 0; k < 6; ++k) {  // a point; a line there and back; a line
-        points.x[k] = points.x[k < 3 ? 0 : 3 + k % 2];
-        points.y[k] = points.y[k < 3 ? 0 : 3 + k % 2];
+        const std::size_t from = k < 3 ? 0 : 3 + k % 2;
+        points.set(k, points.x(from), points.y(from));
       }
-      points.x[8] = static_cast<std::int16_t>((points.x[6] + points.x[7]) / 2);
-      points.y[8] = static_cast<std::int16_t>((points.y[6] + points.y[7]) / 2);
+      points.set(8, (points.x(6) + points.x(7)) / 2, (points.y(6) + points.y(7)) / 2);
       const auto triangles = in_threes(30);
       for (const Triangle& t : triangles) {
         const BitImage mask = fill_triangles(points, {&t, 1}, n);
@@ -242,18 +271,18 @@ TEST_CASE("trace: a needle thinner than a pixel leaves a line from end to end") 
     for (int i = 0; i < 100; ++i) {
       SnappedPoints points = random_points(random, n, 3, 16 * s);
       const int wide = static_cast<int>(random.below(4));  // under a thirtieth of a pixel
-      points.x[2] = static_cast<std::int16_t>(std::min(points.x[0] + wide, (n - 1) * s));
-      points.y[2] = static_cast<std::int16_t>(std::min(points.y[0] + wide, (n - 1) * s));
+      points.set(2, std::min(points.x(0) + wide, (n - 1) * s),
+                 std::min(points.y(0) + wide, (n - 1) * s));
       const auto triangles = in_threes(3);
       BitImage mask = fill_triangles(points, triangles, n);
       const bool is_all_trace = count(mask) == 0;
       trace_thin_triangles(mask, points, triangles, n);
       INFO("side " << n << ", needle " << i);
       const auto pixel = [s](int c) { return (c + s / 2) / s; };
-      const int x = pixel(points.x[0]), y = pixel(points.y[0]);
+      const int x = pixel(points.x(0)), y = pixel(points.y(0));
       BitImage ends(n, n);
       ends.set(x, y);
-      ends.set(pixel(points.x[1]), pixel(points.y[1]));
+      ends.set(pixel(points.x(1)), pixel(points.y(1)));
       // Beside a pixel that the needle fills by chance nothing is drawn: a gap of a pixel.
       const BitImage closed = is_all_trace ? mask : dilate(mask, 1.5);
       CHECK(contains_all(closed, ends));

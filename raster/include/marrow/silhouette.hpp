@@ -7,10 +7,26 @@
 
 namespace marrow {
 
-/// A corner of the shape on the sub-pixel lattice of an image: pixel centres lie on multiples of
-/// subpixels_of(resolution). Coordinates fit 15 bits.
-struct SnappedPoints {
-  std::vector<std::int16_t> x, y;
+/// The points of a shape on the sub-pixel lattice of an image: pixel centres lie on multiples of
+/// subpixels_of(resolution). Coordinates fit 15 bits; both share a word, which SIMD gathers at
+/// once.
+class SnappedPoints {
+ public:
+  using Packed = std::uint32_t;  ///< x in the lower half, y in the upper
+
+  explicit SnappedPoints(std::size_t count) : packed_(count) {}
+
+  std::size_t size() const { return packed_.size(); }
+  int x(std::size_t i) const { return static_cast<int>(packed_[i] & 0xffff); }
+  int y(std::size_t i) const { return static_cast<int>(packed_[i] >> 16); }
+  void set(std::size_t i, int x, int y) {
+    packed_[i] = static_cast<Packed>(x) | static_cast<Packed>(y) << 16;
+  }
+  Packed* packed() { return packed_.data(); }
+  const Packed* packed() const { return packed_.data(); }
+
+ private:
+  std::vector<Packed> packed_;
 };
 
 /// Lattice steps to a pixel: the greatest power of two with resolution * steps <= 2^15.

@@ -46,13 +46,64 @@ void for_each_view(std::size_t count, int threads, Task task) {
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
 }
 
+/// Tells of the stages and takes what they give: extract_with_trace() keeps it, extract() does not.
+class Recorder {
+ public:
+  Recorder(const ExtractOptions& options, ExtractTrace* trace) : options_(options), trace_(trace) {}
+
+  void begin(std::string_view stage, double done) const {
+    if (options_.on_stage) options_.on_stage(stage, done);
+  }
+  template <class Result>
+  Result keep(Result ExtractTrace::*place, Result result) const {
+    if (trace_) trace_->*place = result;
+    return result;
+  }
+
+ private:
+  const ExtractOptions& options_;
+  ExtractTrace* trace_;
+};
+
+/// 21 stereo pairs, each one task.
 std::vector<StereoImages> draw_views(const NormalizedShape& shape, int resolution, int threads) {
   const auto directions = hemisphere_directions();
   std::vector<StereoImages> views(directions.size());
-  for_each_view(directions.size(), threads, [&](std::size_t i) {
+  for_each_view(views.size(), threads, [&](std::size_t i) {
     views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution);
   });
   return views;
+}
+
+struct DrawnViews {
+  Resolution resolution;
+  std::vector<StereoImages> views;
+};
+
+/// All views; drawn again, and finer, where parts are thinner than a pixel.
+DrawnViews draw_views(const NormalizedShape& shape, const ExtractOptions& options) {
+  const bool fixed = options.image_resolution > 0;
+  const Resolution first{fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
+  auto views = draw_views(shape, first.image, options.max_threads);
+  const Resolution finer =
+      resolution_for(shape.low, shape.high, views, first, fixed ? 0 : kFinestImage);
+  if (finer.image > first.image) views = draw_views(shape, finer.image, options.max_threads);
+  return {finer, std::move(views)};
+}
+
+VoteGrid match(const NormalizedShape& shape, const std::vector<StereoImages>& views,
+               int grid_resolution, int threads) {
+  VoteAccumulator accumulator(make_voxel_grid(shape.low, shape.high, grid_resolution));
+  for_each_view(views.size(), threads, [&](std::size_t i) { cast_votes(views[i], accumulator); });
+  return std::move(accumulator).finish();
+}
+
+VoteGraph grow_forest(const VoteGrid& votes, double pixel) {
+  VoteGraph forest = grow_spanning_tree(votes, pixel);
+  if (forest.nodes.empty())
+    throw Error(ErrorKind::Empty,
+                "no part of the shape can be seen in enough views; give a shape with some volume");
+  return forest;
 }
 
 /// The genus of a shape that is one closed manifold; not counted where the graph has no cycle.
@@ -64,6 +115,15 @@ std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normal
   return static_cast<int>(*summary.handles);
 }
 
+VoteGraph collapse(const VoteGraph& graph, const Shape& shape,
+                   const NormalizedShape& normalized_shape, double voxel) {
+  VoteGraph result = cut_short_cycles(collapse_branches(graph, voxel), voxel);
+  result = cut_false_cycles(result, normalized_shape, voxel);
+  if (const auto most = most_cycles(shape, normalized_shape, result))
+    result = cut_surplus_cycles(result, *most);
+  return prune_leaves(result, voxel);
+}
+
 /// The principal axis without the ball in the middle, for a shape of which no edge is left (a rod
 /// thinner than what the images show): long for a rod, short for a ball.
 VoteGraph middle_line(const NormalizedShape& shape, const Projections& projections, double voxel) {
@@ -72,84 +132,82 @@ VoteGraph middle_line(const NormalizedShape& shape, const Projections& projectio
   return {{{{0, -end, 0}}, {{0, end, 0}}}, {{0, 1}}};
 }
 
+VoteGraph with_hull_radii(VoteGraph graph, const NormalizedShape& shape,
+                          std::span<const StereoImages> views, double pixel, double voxel) {
+  const Projections projections(views);
+  if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
+  for (auto& n : graph.nodes)
+    n.radius = std::max(hull_radius(n.position, projections), 0.5 * pixel);
+  return graph;
+}
+
+/// All stages, one after the other; what the next ones do not need is gone.
+CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrace* trace) {
+  using Trace = ExtractTrace;
+  check(options);
+  const Recorder record(options, trace);
+
+  // 4.2, last paragraphs: the shape's own frame.
+  record.begin("normalise", 0);
+  const Normalization frame = record.keep(&Trace::normalization, normalize(shape));
+  const NormalizedShape normalized_shape = apply(frame, shape);
+
+  // 4.1: silhouettes, distances, medial axes.
+  record.begin("views", 0.05);
+  DrawnViews drawn = draw_views(normalized_shape, options);
+  const Resolution resolution = record.keep(&Trace::resolution, drawn.resolution);
+  const auto views = record.keep(&Trace::views, std::move(drawn.views));
+  const double pixel = PixelGrid{resolution.image}.pixel();
+
+  // 4.2: matching and voting.
+  record.begin("matching", 0.5);
+  VoteGrid matched = record.keep(
+      &Trace::votes, match(normalized_shape, views, resolution.grid, options.max_threads));
+  const VoxelGrid grid = matched.grid;
+  const double voxel = grid.size;
+
+  // 4.3: cleaning by the visual hull, and the tree.
+  record.begin("cleaning", 0.55);
+  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid(std::move(matched), views));
+  record.begin("region growing", 0.65);
+  VoteGraph graph = record.keep(&Trace::tree, grow_forest(votes, pixel));
+
+  // 4.4.1: the perceptual core.
+  record.begin("perceptual core", 0.7);
+  graph = record.keep(&Trace::core, extract_perceptual_core(graph, voxel));
+
+  // In place of 4.4.3: the topology of the visual hull.
+  record.begin("hull topology", 0.72);
+  const VoxelSet solid = record.keep(
+      &Trace::solid, supported_solid(grid, majority(grid, hull_solid(grid, views)), votes, graph));
+  const VoxelSet thin_set = thin_by_votes(votes, solid, graph);
+  graph =
+      record.keep(&Trace::thinned, prune_leaves(graph_of(votes, solid, thin_set, pixel), voxel));
+
+  // 4.4.2: branch collapse, and what the surface says of cycles.
+  record.begin("branch collapse", 0.95);
+  graph = record.keep(&Trace::collapsed, collapse(graph, shape, normalized_shape, voxel));
+
+  // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)
+  record.begin("smoothing", 0.97);
+  graph = record.keep(&Trace::smoothed,
+                      smooth_branches(trim_leaves(graph, voxel), options.smoothing_passes));
+  graph = with_hull_radii(std::move(graph), normalized_shape, views, pixel, voxel);
+  CurveSkeleton skeleton = record.keep(&Trace::skeleton, to_input_units(graph, frame));
+  record.begin("done", 1);
+  return skeleton;
+}
+
 }  // namespace
 
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options) {
-  return extract_with_trace(shape, options).skeleton;
+  return run(shape, options, nullptr);
 }
 
 ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& options) {
-  check(options);
-  const auto stage = [&](std::string_view name, double done) {
-    if (options.on_stage) options.on_stage(name, done);
-  };
-  ExtractTrace t;
-
-  // 4.2, last paragraphs: the shape's own frame.
-  stage("normalise", 0);
-  t.normalization = normalize(shape);
-  const NormalizedShape normalized_shape = apply(t.normalization, shape);
-
-  // 4.1: 21 stereo pairs, each one task; again, and finer, where parts are thinner than a pixel.
-  stage("views", 0.05);
-  const bool fixed = options.image_resolution > 0;
-  t.resolution = {fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
-  t.views = draw_views(normalized_shape, t.resolution.image, options.max_threads);
-  const Resolution finer = resolution_for(normalized_shape.low, normalized_shape.high, t.views,
-                                          t.resolution, fixed ? 0 : kFinestImage);
-  if (finer.image > t.resolution.image)
-    t.views = draw_views(normalized_shape, finer.image, options.max_threads);
-  t.resolution = finer;
-  const double pixel = PixelGrid{finer.image}.pixel();
-
-  // 4.2: matching and voting.
-  stage("matching", 0.5);
-  VoteAccumulator accumulator(
-      make_voxel_grid(normalized_shape.low, normalized_shape.high, t.resolution.grid));
-  for_each_view(t.views.size(), options.max_threads,
-                [&](std::size_t i) { cast_votes(t.views[i], accumulator); });
-  t.votes = std::move(accumulator).finish();
-  const double voxel = t.votes.grid.size;
-
-  // 4.3: cleaning by the visual hull, and the tree.
-  stage("cleaning", 0.55);
-  t.cleaned = clean_grid(t.votes, t.views);
-  stage("region growing", 0.65);
-  t.tree = grow_spanning_tree(t.cleaned, pixel);
-  if (t.tree.nodes.empty())
-    throw Error(ErrorKind::Empty,
-                "no part of the shape can be seen in enough views; give a shape with some volume");
-
-  // 4.4.1: the perceptual core.
-  stage("perceptual core", 0.7);
-  t.core = extract_perceptual_core(t.tree, voxel);
-
-  // In place of 4.4.3: the topology of the visual hull.
-  stage("hull topology", 0.72);
-  const VoxelGrid& grid = t.votes.grid;
-  t.solid = supported_solid(grid, majority(grid, hull_solid(grid, t.views)), t.cleaned, t.core);
-  const VoxelSet thin_set = thin_by_votes(t.cleaned, t.solid, t.core);
-  t.thinned = prune_leaves(graph_of(t.cleaned, t.solid, thin_set, pixel), voxel);
-
-  // 4.4.2: branch collapse.
-  stage("branch collapse", 0.95);
-  t.collapsed = cut_short_cycles(collapse_branches(t.thinned, voxel), voxel);
-  t.collapsed = cut_false_cycles(t.collapsed, normalized_shape, voxel);
-  if (const auto most = most_cycles(shape, normalized_shape, t.collapsed))
-    t.collapsed = cut_surplus_cycles(t.collapsed, *most);
-  t.collapsed = prune_leaves(t.collapsed, voxel);
-
-  // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)
-  stage("smoothing", 0.97);
-  t.smoothed = smooth_branches(trim_leaves(t.collapsed, voxel), options.smoothing_passes);
-  const Projections projections(t.views);
-  VoteGraph with_radii =
-      t.smoothed.edges.empty() ? middle_line(normalized_shape, projections, voxel) : t.smoothed;
-  for (auto& n : with_radii.nodes)
-    n.radius = std::max(hull_radius(n.position, projections), 0.5 * pixel);
-  t.skeleton = to_input_units(with_radii, t.normalization);
-  stage("done", 1);
-  return t;
+  ExtractTrace trace;
+  run(shape, options, &trace);
+  return trace;
 }
 
 }  // namespace marrow

@@ -18,11 +18,12 @@ struct Bounds {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
 
+  Vec3 center() const { return (low + high) * 0.5; }
+  double longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
   /// Scaled first, so that no square overflows or vanishes.
   double diagonal() const {
-    const Vec3 d = high - low;
-    const double longest = std::max({d.x, d.y, d.z});
-    return longest > 0 ? longest * length(d / longest) : 0;
+    const double longest = longest_side();
+    return longest > 0 ? longest * length((high - low) / longest) : 0;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -10,49 +11,145 @@ namespace marrow {
 namespace {
 
 constexpr double kLattice = 1 << 18;  // steps to a unit: products of three coordinates fit 64 bits
-constexpr int kCellShift = 12;  // cells of 2^12 steps, for finding the points under a triangle
-constexpr int kCells = 130;     // along a side: coordinates run from -1 to 1 and a little more
+constexpr float kMost = 1.01F;        // of a coordinate
 constexpr double kNoSurface = 4;
 
 using LatticePoint = std::array<std::int64_t, 3>;
 
 LatticePoint snap(const Vec3& p) {
   const auto on_lattice = [](double v) {
-    return static_cast<std::int64_t>(std::llrint(std::clamp(v, -1.01, 1.01) * kLattice));
+    return static_cast<std::int64_t>(
+        std::llrint(std::clamp(v, -double{kMost}, double{kMost}) * kLattice));
   };
   return {on_lattice(p.x), on_lattice(p.y), on_lattice(p.z)};
 }
 
-int cell_of(std::int64_t coordinate) {
-  return std::clamp(static_cast<int>(coordinate >> kCellShift) + kCells / 2, 0, kCells - 1);
+/// Square cells of 2^shift lattice steps over the whole frame.
+struct Cells {
+  int shift = 12, count = 130;  // along a side: coordinates run from -1 to 1 and a little more
+
+  int of(std::int64_t coordinate) const {
+    return std::clamp(static_cast<int>(coordinate >> shift) + count / 2, 0, count - 1);
+  }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * count + x); }
+  std::size_t all() const { return index(0, count); }
+};
+
+constexpr Cells kCells;  // for finding the points under a triangle
+
+/// As fine as the triangles, as far as their number tells.
+Cells cells_for(std::size_t triangles) {
+  Cells cells;
+  for (std::size_t few = 30'000; few < triangles && cells.shift > 10; few *= 4)
+    --cells.shift, cells.count *= 2;
+  return cells;
+}
+
+Vec3 corner(const NormalizedShape& shape, std::size_t i) {
+  return {double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}};
 }
 
 /// Points sorted into the cells of the plane across one axis.
 class Buckets {
  public:
-  Buckets(std::span<const LatticePoint> points, std::size_t u, std::size_t v)
-      : start_(kCells * kCells + 1, 0), index_(points.size()) {
-    for (const auto& p : points) ++start_[cell(p[u], p[v]) + 1];
+  Buckets(std::span<const LatticePoint> points, std::size_t along)
+      : axis_(along),
+        u_((along + 1) % 3),
+        v_((along + 2) % 3),
+        start_(kCells.all() + 1, 0),
+        index_(points.size()) {
+    for (const auto& p : points) ++start_[cell(p) + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     auto next = start_;
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-      index_[next[cell(points[i][u], points[i][v])]++] = i;
+    for (std::uint32_t i = 0; i < points.size(); ++i) index_[next[cell(points[i])]++] = i;
   }
 
-  std::span<const std::uint32_t> at(int x, int y) const {
-    const std::size_t c = index_of(x, y);
-    return std::span(index_).subspan(start_[c], start_[c + 1] - start_[c]);
+  std::size_t axis() const { return axis_; }
+
+  /// The points in the cells from (x0, y) to (x1, y).
+  std::span<const std::uint32_t> row(int y, int x0, int x1) const {
+    const std::uint32_t first = start_[kCells.index(x0, y)], end = start_[kCells.index(x1, y) + 1];
+    return std::span(index_).subspan(first, end - first);
   }
 
  private:
-  static std::size_t cell(std::int64_t u, std::int64_t v) {
-    return index_of(cell_of(u), cell_of(v));
-  }
-  static std::size_t index_of(int x, int y) {
-    return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
+  std::size_t cell(const LatticePoint& p) const {
+    return kCells.index(kCells.of(p[u_]), kCells.of(p[v_]));
   }
 
+  std::size_t axis_, u_, v_;
   std::vector<std::uint32_t> start_, index_;
+};
+
+/// The cells of all coordinates along one axis: snap(), many at once.
+std::vector<std::int32_t> cells_along(std::span<const float> coordinates, const Cells& cells) {
+  constexpr float kSteps = 1 << 18, kRounding = 0x1.8p23f;  // from 2^23 on floats are integers
+  std::vector<std::int32_t> result(coordinates.size());
+  const int shift = cells.shift, middle = cells.count / 2;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const float at = std::min(std::max(coordinates[i], -kMost), kMost) * kSteps + kRounding;
+    const int steps = std::bit_cast<std::int32_t>(at) - std::bit_cast<std::int32_t>(kRounding);
+    result[i] = (steps >> shift) + middle;
+  }
+  return result;
+}
+
+/// Tells which triangles a line through one of the points may meet. Small ones with no point in
+/// the cells around it are passed over, and nearly all are so.
+class NearPoints {
+ public:
+  NearPoints(const NormalizedShape& shape, std::span<const LatticePoint> points)
+      : cells_(cells_for(shape.triangles.size())), corners_(shape.x.size()) {
+    const std::array around{cells_around(points, 0), cells_around(points, 1),
+                            cells_around(points, 2)};
+    const auto x = cells_along(shape.x, cells_), y = cells_along(shape.y, cells_),
+               z = cells_along(shape.z, cells_);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const std::uint64_t near = around[0][cells_.index(y[i], z[i])] |
+                                 around[1][cells_.index(z[i], x[i])] << 1 |
+                                 around[2][cells_.index(x[i], y[i])] << 2;
+      corners_[i] = near << (3 * kField) | static_cast<std::uint64_t>(z[i]) << (2 * kField) |
+                    static_cast<std::uint64_t>(y[i]) << kField | static_cast<std::uint64_t>(x[i]);
+    }
+  }
+
+  /// The axes along which a line may meet a triangle, as bits.
+  unsigned axes(const Triangle& t) const {
+    const std::uint64_t a = corners_[t[0]];
+    if (!is_close(a, corners_[t[1]]) || !is_close(a, corners_[t[2]])) return 7;
+    return static_cast<unsigned>(a >> (3 * kField));
+  }
+
+ private:
+  static constexpr int kField = 16, kReach = 2;
+
+  /// Whether no coordinate of the cells differs by more than kReach; all three at once.
+  static bool is_close(std::uint64_t a, std::uint64_t b) {
+    constexpr std::uint64_t kEach = 0x0001'0001'0001, kAbove = 0x8000 * kEach;
+    // A field holds 0x8000 to 0x8003 for -1 to 2; none borrows from the next.
+    const std::uint64_t apart = (a | kAbove) - (b & 0xffff * kEach) + kEach;
+    return ((apart ^ kAbove) & 0xfffc * kEach) == 0;
+  }
+
+  /// Cells across one axis with a point within kReach cells along either side.
+  std::vector<std::uint8_t> cells_around(std::span<const LatticePoint> points,
+                                         std::size_t axis) const {
+    std::vector<std::uint8_t> around(cells_.all(), 0);
+    const auto reach = [&](std::int64_t coordinate) {
+      const int cell = cells_.of(coordinate);
+      return std::pair(std::max(cell - kReach, 0), std::min(cell + kReach, cells_.count - 1));
+    };
+    for (const auto& p : points) {
+      const auto [x0, x1] = reach(p[(axis + 1) % 3]);
+      const auto [y0, y1] = reach(p[(axis + 2) % 3]);
+      for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) around[cells_.index(x, y)] = 1;
+    }
+    return around;
+  }
+
+  Cells cells_;
+  std::vector<std::uint64_t> corners_;  // their three cells, and the axes with a point around
 };
 
 /// A triangle seen along `axis`, counter-clockwise; crossings with lines along the axis.
@@ -83,69 +180,75 @@ struct ProjectedTriangle {
     }
     return true;
   }
-
-  std::pair<int, int> cells(std::size_t k) const {
-    const auto [low, high] = std::minmax({corner[0][k], corner[1][k], corner[2][k]});
-    return {cell_of(low), cell_of(high)};
-  }
 };
 
 /// Crossings of one line through a point.
 struct LineCount {
   int before = 0, total = 0;
   double nearest = kNoSurface;
+
+  void add(int sign, std::int64_t beyond, std::int64_t area) {
+    total += sign;
+    if (beyond < 0) before += sign;
+    const double away =
+        std::abs(static_cast<double>(beyond)) / static_cast<double>(area) / kLattice;
+    nearest = std::min(nearest, away);
+  }
 };
 
-std::vector<LineCount> count_crossings(std::span<const LatticePoint> points,
-                                       std::span<const LatticePoint> corners,
-                                       std::span<const Triangle> triangles, std::size_t axis) {
-  const Buckets buckets(points, (axis + 1) % 3, (axis + 2) % 3);
-  std::vector<LineCount> counts(points.size());
-  for (const auto& t : triangles) {
-    const ProjectedTriangle triangle(corners[t[0]], corners[t[1]], corners[t[2]], axis);
-    if (triangle.area == 0) continue;
-    const auto [x0, x1] = triangle.cells(triangle.u);
-    const auto [y0, y1] = triangle.cells(triangle.v);
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x)
-        for (const std::uint32_t i : buckets.at(x, y)) {
-          std::int64_t depth = 0;
-          if (!triangle.meets(points[i], depth)) continue;
-          const std::int64_t beyond = depth - points[i][axis] * triangle.area;
-          LineCount& count = counts[i];
-          count.total += triangle.sign;
-          if (beyond < 0) count.before += triangle.sign;
-          count.nearest =
-              std::min(count.nearest, std::abs(static_cast<double>(beyond)) /
-                                          static_cast<double>(triangle.area) / kLattice);
-        }
+/// The cells that a triangle lies in along coordinate `k`.
+std::pair<int, int> cells_of(const std::array<LatticePoint, 3>& corners, std::size_t k) {
+  const auto [low, high] = std::minmax({corners[0][k], corners[1][k], corners[2][k]});
+  return {kCells.of(low), kCells.of(high)};
+}
+
+/// Adds the crossings of a triangle with the lines through the points along one axis.
+void add_crossings(const std::array<LatticePoint, 3>& corners, std::span<const LatticePoint> points,
+                   const Buckets& buckets, std::vector<LineCount>& counts) {
+  const std::size_t axis = buckets.axis();
+  const auto [x0, x1] = cells_of(corners, (axis + 1) % 3);
+  const auto [y0, y1] = cells_of(corners, (axis + 2) % 3);
+  for (int y = y0; y <= y1; ++y) {
+    const auto row = buckets.row(y, x0, x1);
+    if (row.empty()) continue;
+    const ProjectedTriangle triangle(corners[0], corners[1], corners[2], axis);
+    if (triangle.area == 0) return;
+    for (const std::uint32_t i : row) {
+      std::int64_t depth = 0;
+      if (triangle.meets(points[i], depth))
+        counts[i].add(triangle.sign, depth - points[i][axis] * triangle.area, triangle.area);
+    }
   }
-  return counts;
 }
 
 }  // namespace
 
-SurfaceSides::SurfaceSides(const NormalizedShape& shape) : triangles_(shape.triangles) {
-  corners_.reserve(shape.x.size());
-  for (std::size_t i = 0; i < shape.x.size(); ++i)
-    corners_.push_back(snap({double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}}));
-}
-
 std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) const {
-  std::vector<LatticePoint> snapped;
-  for (const auto& p : points) snapped.push_back(snap(p));
-  std::vector<int> inside(points.size(), 0), outside(points.size(), 0);
   std::vector<PointSide> sides(points.size(), {Side::Unknown, kNoSurface});
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto counts = count_crossings(snapped, corners_, triangles_, axis);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      sides[i].clearance = std::min(sides[i].clearance, counts[i].nearest);
-      if (counts[i].total == 0) ++(counts[i].before == 0 ? outside : inside)[i];
-    }
+  if (points.empty()) return sides;
+  std::vector<LatticePoint> snapped;
+  snapped.reserve(points.size());
+  for (const auto& p : points) snapped.push_back(snap(p));
+  const std::array buckets{Buckets(snapped, 0), Buckets(snapped, 1), Buckets(snapped, 2)};
+  std::array<std::vector<LineCount>, 3> counts;
+  counts.fill(std::vector<LineCount>(points.size()));
+  const NearPoints near(shape_, snapped);
+  for (const auto& t : shape_.triangles) {
+    const unsigned axes = near.axes(t);
+    if (axes == 0) continue;
+    const std::array<LatticePoint, 3> corners{
+        snap(corner(shape_, t[0])), snap(corner(shape_, t[1])), snap(corner(shape_, t[2]))};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((axes >> axis & 1) != 0) add_crossings(corners, snapped, buckets[axis], counts[axis]);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (inside[i] > 0 && outside[i] == 0) sides[i].side = Side::Inside;
-    if (outside[i] > 0 && inside[i] == 0) sides[i].side = Side::Outside;
+    int inside = 0, outside = 0;
+    for (const auto& along : counts) {
+      sides[i].clearance = std::min(sides[i].clearance, along[i].nearest);
+      if (along[i].total == 0) ++(along[i].before == 0 ? outside : inside);
+    }
+    if (inside > 0 && outside == 0) sides[i].side = Side::Inside;
+    if (outside > 0 && inside == 0) sides[i].side = Side::Outside;
   }
   return sides;
 }

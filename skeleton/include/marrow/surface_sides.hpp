@@ -3,7 +3,6 @@
 
 #include <marrow/normalization.hpp>
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,7 +26,7 @@ struct PointSide {
 class SurfaceSides {
  public:
   /// `shape` must outlive this.
-  explicit SurfaceSides(const NormalizedShape& shape);
+  explicit SurfaceSides(const NormalizedShape& shape) : shape_(shape) {}
 
   /// For every point of the normalised frame, what the signed crossings of the surface with the
   /// lines through it say. On a line whose crossings cancel as a whole the point is outside when
@@ -36,8 +35,7 @@ class SurfaceSides {
   std::vector<PointSide> of(std::span<const Vec3> points) const;
 
  private:
-  std::span<const Triangle> triangles_;
-  std::vector<std::array<std::int64_t, 3>> corners_;  // on the lattice
+  const NormalizedShape& shape_;
 };
 
 }  // namespace marrow

@@ -244,12 +244,12 @@ TEST_CASE("a point asked alone hears the same as among many", "[surface_sides]")
     for (int i = 0; i < 3000; ++i) points.push_back(random.vector());
     const auto together = surface.of(points);
     int different = 0, inside = 0;
-    for (std::size_t i = 0; i < points.size(); i += 100) {
+    for (std::size_t i = 0; i < points.size(); i += 10) {
       const PointSide alone = surface.of({&points[i], 1})[0];
       different += alone.side != together[i].side || alone.clearance != together[i].clearance;
       inside += alone.side == Side::Inside;
     }
     CHECK(different == 0);
-    CHECK(inside > 2);
+    CHECK(inside > 0);
   }
 }

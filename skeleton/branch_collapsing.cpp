@@ -43,10 +43,14 @@ VoteGraph::Node barycentre(const BranchGraph::Vertex& a, const BranchGraph::Vert
   return node;
 }
 
-double cycle_length(const BranchGraph& graph, int link) {
-  double sum = 0;
-  for (const int l : graph.shortest_cycle(link)) sum += graph.length(graph.link(l));
-  return sum;
+/// Whether the shortest cycle through a link, which must lie on one, is shorter than `limit`.
+bool closes_within(const BranchGraph& graph, int link, double limit) {
+  // Sums in another order may round to the other side: a little more is looked at.
+  const auto way = graph.shortest_way_around(link, 1.001 * limit);
+  if (way.empty() && graph.link(link).a != graph.link(link).b) return false;
+  double sum = graph.length(link);
+  for (const int l : way) sum += graph.length(l);
+  return sum < limit;
 }
 
 /// Links that may merge, the closest first. Merging two vertices changes nothing but the links at
@@ -77,21 +81,11 @@ class Closest {
   std::set<std::pair<double, int>> queue_;
 };
 
-/// All links at the ends of a link.
-std::vector<int> links_beside(const BranchGraph& graph, int link) {
-  std::vector<int> links = graph.at(graph.link(link).a).links;
-  const auto& more = graph.at(graph.link(link).b).links;
-  links.insert(links.end(), more.begin(), more.end());
-  return links;
-}
-
 /// Whether a link is a weld or closes a short cycle; it must lie on a cycle.
 bool is_doubtful(const BranchGraph& graph, int l, double voxel) {
-  const double length = graph.length(graph.link(l));
-  if (length <= kWeldVoxels * voxel && graph.least_support(graph.link(l)) < kWeldSupport)
-    return true;
-  return length < kShortestCycleVoxels * voxel &&
-         cycle_length(graph, l) < kShortestCycleVoxels * voxel;
+  const double length = graph.length(l), shortest = kShortestCycleVoxels * voxel;
+  if (length <= kWeldVoxels * voxel && graph.least_support(l) < kWeldSupport) return true;
+  return length < shortest && closes_within(graph, l, shortest);
 }
 
 /// Links in the order in which they would be cut: least support, then length, then number.
@@ -106,11 +100,10 @@ class CutOrder {
     auto& key = key_[static_cast<std::size_t>(link)];
     if (key) queue_.erase(*key);
     key.reset();
-    const auto& l = graph_.link(link);
-    if (!l.alive) return;
-    const double length = graph_.length(l);
+    if (!graph_.link(link).alive) return;
+    const double length = graph_.length(link);
     if (length >= kShortestCycleVoxels * voxel_) return;
-    key = Key(graph_.least_support(l), length, link);
+    key = Key(graph_.least_support(link), length, link);
     queue_.insert(*key);
   }
 
@@ -144,7 +137,7 @@ VoteGraph collapse_branches(const VoteGraph& graph, double voxel) {
   BranchGraph g(graph);
   Closest closest(g, voxel);
   while (const auto link = closest.link()) {
-    const auto beside = links_beside(g, *link);
+    const auto beside = g.links_beside(*link);
     g.contract(*link, barycentre(g.at(g.link(*link).a), g.at(g.link(*link).b)));
     for (const int l : beside) closest.update(l);
   }
@@ -155,7 +148,7 @@ VoteGraph cut_short_cycles(const VoteGraph& graph, double voxel) {
   BranchGraph g(graph);
   CutOrder order(g, voxel);
   while (const auto worst = order.next()) {
-    const auto beside = links_beside(g, *worst);
+    const auto beside = g.links_beside(*worst);
     g.cut(*worst);
     for (const int l : beside) order.update(l);
   }

@@ -58,18 +58,29 @@ std::vector<Vec3> BranchGraph::polyline(const Link& link) const {
   return line;
 }
 
-double BranchGraph::length(const Link& link) const {
-  const auto line = polyline(link);
+double BranchGraph::length(int l) const {
+  const Link& line = link(l);
+  if (line.known_length >= 0) return line.known_length;
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += distance(line[i], line[i + 1]);
-  return sum;
+  const Vec3* previous = &at(line.a).node.position;
+  for (const auto& n : line.inner) sum += distance(*previous, n.position), previous = &n.position;
+  return line.known_length = sum + distance(*previous, at(line.b).node.position);
 }
 
-int BranchGraph::least_support(const Link& link) const {
-  if (link.inner.empty()) return std::min(at(link.a).node.support, at(link.b).node.support);
+int BranchGraph::least_support(int l) const {
+  const Link& line = link(l);
+  if (line.known_support >= 0) return line.known_support;
   int least = kImages;
-  for (const auto& n : link.inner) least = std::min(least, n.support);
-  return least;
+  for (const auto& n : line.inner) least = std::min(least, n.support);
+  if (line.inner.empty()) least = std::min(at(line.a).node.support, at(line.b).node.support);
+  return line.known_support = least;
+}
+
+std::vector<int> BranchGraph::links_beside(int l) const {
+  std::vector<int> links = at(link(l).a).links;
+  const auto& more = at(link(l).b).links;
+  links.insert(links.end(), more.begin(), more.end());
+  return links;
 }
 
 void BranchGraph::detach(int l, int v) {
@@ -98,6 +109,7 @@ void BranchGraph::dissolve(int v) {
   f.inner.push_back(at(v).node);
   f.inner.insert(f.inner.end(), s.inner.begin(), s.inner.end());
   f.b = s.b;
+  forget_measures(f);
   s.alive = false;
   auto& far_links = mutable_vertex(s.b).links;
   *std::find(far_links.begin(), far_links.end(), second) = first;
@@ -117,6 +129,7 @@ void BranchGraph::contract(int l, const VoteGraph::Node& node) {
     mutable_vertex(keep).links.push_back(other);
   }
   mutable_vertex(keep).node = node;
+  for (const int other : at(keep).links) forget_measures(mutable_link(other));
   mutable_vertex(keep).merged += at(gone).merged;
   mutable_vertex(gone).links.clear();
   mutable_vertex(gone).merged = 0;
@@ -173,7 +186,7 @@ std::vector<int> BranchGraph::links_on_cycles() const {
   return result;
 }
 
-std::vector<int> BranchGraph::shortest_way_around(int l) const {
+std::vector<int> BranchGraph::shortest_way_around(int l, double limit) const {
   const int from = link(l).a, to = link(l).b;
   std::vector<double> best(vertices_.size(), std::numeric_limits<double>::infinity());
   std::vector<int> via(vertices_.size(), -1);
@@ -184,12 +197,12 @@ std::vector<int> BranchGraph::shortest_way_around(int l) const {
   while (!queue.empty() && from != to) {
     const auto [d, v] = queue.top();
     queue.pop();
-    if (v == to) break;
+    if (v == to || d > limit) break;
     if (d > best[static_cast<std::size_t>(v)]) continue;
     for (const int e : at(v).links) {
       if (e == l) continue;
       const auto n = static_cast<std::size_t>(link(e).other(v));
-      const double through = d + length(link(e));
+      const double through = d + length(e);
       if (through >= best[n]) continue;
       best[n] = through;
       via[n] = e;
@@ -197,6 +210,7 @@ std::vector<int> BranchGraph::shortest_way_around(int l) const {
     }
   }
   std::vector<int> way;
+  if (best[static_cast<std::size_t>(to)] > limit) return way;
   for (int v = to; via[static_cast<std::size_t>(v)] >= 0 && v != from;
        v = link(way.back()).other(v))
     way.push_back(via[static_cast<std::size_t>(v)]);

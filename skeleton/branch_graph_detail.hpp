@@ -3,12 +3,15 @@
 
 #include <marrow/vote_graph.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace marrow {
 
 class BranchGraph {
  public:
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
   struct Vertex {
     VoteGraph::Node node;
     int merged = 1;          ///< joints that this one stands for
@@ -18,6 +21,8 @@ class BranchGraph {
     int a = 0, b = 0;                    ///< vertices; equal for a loop
     std::vector<VoteGraph::Node> inner;  ///< from a to b
     bool alive = true;
+    mutable double known_length = -1;  ///< negative where it is not known
+    mutable int known_support = -1;
 
     int other(int vertex) const { return vertex == a ? b : a; }
   };
@@ -37,9 +42,11 @@ class BranchGraph {
 
   /// Positions along a link, both ends included.
   std::vector<Vec3> polyline(const Link& link) const;
-  double length(const Link& link) const;
+  double length(int link) const;
   /// Least support of the inner nodes; of the ends where there are none.
-  int least_support(const Link& link) const;
+  int least_support(int link) const;
+  /// All links at the two ends of a link, itself included: those that cut() and contract() change.
+  std::vector<int> links_beside(int link) const;
 
   /// Takes a link out; an end left with two links is no vertex any more.
   void cut(int link);
@@ -53,8 +60,8 @@ class BranchGraph {
   /// whole.
   std::vector<int> links_on_cycles() const;
   /// The links of the shortest way from one end of a link to the other without it; empty for a loop
-  /// and for a bridge.
-  std::vector<int> shortest_way_around(int link) const;
+  /// and for a bridge, and where there is none shorter than `limit` or not much longer.
+  std::vector<int> shortest_way_around(int link, double limit = kNoLimit) const;
   /// The shortest cycle through a link, the link first.
   std::vector<int> shortest_cycle(int link) const;
 
@@ -63,6 +70,7 @@ class BranchGraph {
  private:
   Vertex& mutable_vertex(int v) { return vertices_[static_cast<std::size_t>(v)]; }
   Link& mutable_link(int l) { return links_[static_cast<std::size_t>(l)]; }
+  static void forget_measures(Link& link) { link.known_length = -1, link.known_support = -1; }
   void detach(int link, int vertex);
   void dissolve(int vertex);
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "branch_graph_detail.hpp"
 #include "excursion_detail.hpp"
@@ -25,12 +27,18 @@ using Support = std::tuple<int, double>;  // least support, then length: the lea
 
 std::optional<int> least_supported(const BranchGraph& graph, const std::vector<int>& links) {
   const auto support = [&](int link) {
-    return Support(graph.least_support(graph.link(link)), graph.length(graph.link(link)));
+    return Support(graph.least_support(link), graph.length(link));
   };
   const auto least = std::min_element(links.begin(), links.end(),
                                       [&](int a, int b) { return support(a) < support(b); });
   return least == links.end() ? std::nullopt : std::optional(*least);
 }
+
+/// What the surface says of a cycle through a link; it holds until one of its links changes.
+struct CycleVerdict {
+  std::vector<int> cycle;
+  bool spans_disc_inside = false;
+};
 
 class CycleCheck {
  public:
@@ -40,36 +48,46 @@ class CycleCheck {
       : graph_(graph),
         smooth_(smooth_branches(graph, kSmoothingPasses)),
         surface_(shape),
-        voxel_(voxel) {}
+        voxel_(voxel),
+        outside_(static_cast<std::size_t>(smooth_.link_count())),
+        verdicts_(outside_.size()) {}
 
   VoteGraph cut() {
     for (;;) {
       std::optional<int> worst = farthest_outside();
       if (!worst) worst = least_supported_contractible();
       if (!worst) return graph_.result();
+      for (const int l : smooth_.links_beside(*worst)) forget(l);
       graph_.cut(*worst);
       smooth_.cut(*worst);
     }
   }
 
  private:
+  std::optional<double>& outside(int l) { return outside_[static_cast<std::size_t>(l)]; }
+  CycleVerdict& verdict(int l) { return verdicts_[static_cast<std::size_t>(l)]; }
+
+  void forget(int changed) {
+    outside(changed).reset();
+    for (auto& v : verdicts_)
+      if (std::find(v.cycle.begin(), v.cycle.end(), changed) != v.cycle.end()) v.cycle.clear();
+  }
+
   /// The link that runs farthest outside, if any does.
-  std::optional<int> farthest_outside() const {
+  std::optional<int> farthest_outside() {
     const auto bridge = smooth_.bridges();
     std::vector<int> links;
     for (int l = 0; l < smooth_.link_count(); ++l)
       if (can_be_cut(smooth_.link(l), bridge[static_cast<std::size_t>(l)])) links.push_back(l);
-    const auto lines = sample_lines(links);
+    ask_where_outside(links);
     std::optional<int> worst;
     double farthest = 0;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const int l = links[i];
-      const double outside =
-          farthest_excursion(lines[i], surface_, voxel_, kHollowVoxels * voxel_) / voxel_;
-      const bool weak = !bridge[static_cast<std::size_t>(l)] &&
-                        smooth_.least_support(smooth_.link(l)) < kWeakSupport;
-      if (outside <= (weak ? 0 : kGrazingVoxels) || outside > kHollowVoxels) continue;
-      if (outside > farthest) farthest = outside, worst = l;
+    for (const int l : links) {
+      const double away = *outside(l);
+      const bool weak =
+          !bridge[static_cast<std::size_t>(l)] && smooth_.least_support(l) < kWeakSupport;
+      if (away <= (weak ? 0 : kGrazingVoxels) || away > kHollowVoxels) continue;
+      if (away > farthest) farthest = away, worst = l;
     }
     return worst;
   }
@@ -77,6 +95,15 @@ class CycleCheck {
   bool can_be_cut(const BranchGraph::Link& link, bool is_bridge) const {
     if (!link.alive || smooth_.is_ring(link)) return false;
     return !is_bridge || (smooth_.is_joint(link.a) && smooth_.is_joint(link.b));
+  }
+
+  /// How far these links run outside, in voxels, for those of which it is not known.
+  void ask_where_outside(std::vector<int> links) {
+    std::erase_if(links, [&](int l) { return outside(l).has_value(); });
+    const auto lines = sample_lines(links);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      outside(links[i]) =
+          farthest_excursion(lines[i], surface_, voxel_, kHollowVoxels * voxel_) / voxel_;
   }
 
   /// Samples along all of these links, asked at once.
@@ -98,17 +125,41 @@ class CycleCheck {
     return lines;
   }
 
-  std::optional<int> least_supported_contractible() const {
-    std::vector<int> candidates;
-    for (const int l : smooth_.links_on_cycles()) {
-      const auto cycle = smooth_.shortest_cycle(l);
-      if (spans_disc_inside(cycle)) candidates.insert(candidates.end(), cycle.begin(), cycle.end());
+  std::optional<int> least_supported_contractible() {
+    const auto links = smooth_.links_on_cycles();
+    std::vector<int> changed;
+    for (const int l : links) {
+      auto cycle = smooth_.shortest_cycle(l);
+      if (verdict(l).cycle == cycle) continue;
+      verdict(l).cycle = std::move(cycle);
+      changed.push_back(l);
     }
+    ask_for_discs(changed);
+    std::vector<int> candidates;
+    for (const int l : links)
+      if (verdict(l).spans_disc_inside)
+        candidates.insert(candidates.end(), verdict(l).cycle.begin(), verdict(l).cycle.end());
     return least_supported(smooth_, candidates);
   }
 
-  /// Whether the cone from the middle of a cycle over it lies inside the shape.
-  bool spans_disc_inside(const std::vector<int>& cycle) const {
+  /// Asks for the discs of all of these links' cycles at once.
+  void ask_for_discs(const std::vector<int>& links) {
+    std::vector<Vec3> points;
+    std::vector<std::size_t> ends;
+    for (const int l : links) {
+      const auto disc = disc_of(verdict(l).cycle);
+      points.insert(points.end(), disc.begin(), disc.end());
+      ends.push_back(points.size());
+    }
+    const std::vector<PointSide> sides = surface_.of(points);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < links.size(); first = ends[i++])
+      verdict(links[i]).spans_disc_inside =
+          lies_inside(std::span(sides).subspan(first, ends[i] - first));
+  }
+
+  /// Points of the cone from the middle of a cycle over it.
+  std::vector<Vec3> disc_of(const std::vector<int>& cycle) const {
     std::vector<Vec3> rim;
     for (const int l : cycle) {
       const auto line = smooth_.polyline(smooth_.link(l));
@@ -119,8 +170,12 @@ class CycleCheck {
     std::vector<Vec3> disc{middle};
     for (const auto& p : rim)
       for (const double s : {0.25, 0.5, 0.75}) disc.push_back(p + (middle - p) * s);
+    return disc;
+  }
+
+  static bool lies_inside(std::span<const PointSide> disc) {
     double inside = 0, outside = 0;
-    for (const auto& s : surface_.of(disc)) {
+    for (const auto& s : disc) {
       inside += s.side == Side::Inside;
       outside += s.side == Side::Outside;
     }
@@ -131,6 +186,8 @@ class CycleCheck {
   BranchGraph graph_, smooth_;
   SurfaceSides surface_;
   double voxel_;
+  std::vector<std::optional<double>> outside_;  // of every link, where it is known
+  std::vector<CycleVerdict> verdicts_;          // of every link's shortest cycle
 };
 
 }  // namespace

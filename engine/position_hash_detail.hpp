@@ -15,12 +15,20 @@ inline std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) {
   return static_cast<std::uint64_t>(product >> 64) ^ static_cast<std::uint64_t>(product);
 }
 
-/// The same for minus zero as for zero.
+/// The bits of a coordinate; minus zero is the same place as zero.
+inline std::uint64_t coordinate_bits(double c) { return std::bit_cast<std::uint64_t>(c + 0.0); }
+
 inline std::uint64_t position_hash(const Vec3& p) {
-  const auto bits = [](double c) { return std::bit_cast<std::uint64_t>(c + 0.0); };
-  const std::uint64_t xy =
-      folded_product(bits(p.x) ^ 0x9e3779b97f4a7c15u, bits(p.y) ^ 0xbf58476d1ce4e5b9u);
-  return folded_product(xy ^ bits(p.z), 0x94d049bb133111ebu);
+  const std::uint64_t xy = folded_product(coordinate_bits(p.x) ^ 0x9e3779b97f4a7c15u,
+                                          coordinate_bits(p.y) ^ 0xbf58476d1ce4e5b9u);
+  return folded_product(xy ^ coordinate_bits(p.z), 0x94d049bb133111ebu);
+}
+
+/// By bits, so that what is not a number is the same as itself.
+inline bool is_same_place(const Vec3& a, const Vec3& b) {
+  return coordinate_bits(a.x) == coordinate_bits(b.x) &&
+         coordinate_bits(a.y) == coordinate_bits(b.y) &&
+         coordinate_bits(a.z) == coordinate_bits(b.z);
 }
 
 }  // namespace marrow

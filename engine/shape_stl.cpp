@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bytes_detail.hpp"
+#include "place_table_detail.hpp"
 #include "shape_detail.hpp"
 #include "text_detail.hpp"
 
@@ -28,55 +29,20 @@ std::uint32_t binary_count(std::string_view bytes) {
 /// Gives every place in space one point of the builder.
 class Welder {
  public:
-  Welder(ShapeBuilder& builder, std::size_t expected) : builder_(builder) {
-    std::size_t size = 64;
-    while (size < 2 * expected) size *= 2;
-    slots_.assign(size, kEmpty);
-  }
+  Welder(ShapeBuilder& builder, std::size_t expected) : builder_(builder), places_(expected) {}
 
   std::uint32_t point_at(Vec3 p, std::uint64_t number) {
-    if (2 * builder_.point_count() >= slots_.size()) grow();
-    // Minus zero is the same place as zero.
-    p = p + Vec3{0, 0, 0};
-    const auto found = slot_of(p);
-    if (slots_[found] == kEmpty) {
-      slots_[found] = static_cast<std::uint32_t>(builder_.point_count());
-      builder_.add_point(p, number);
-    }
-    return slots_[found];
+    p = p + Vec3{0, 0, 0};  // minus zero is the same place as zero
+    const auto next = static_cast<std::uint32_t>(builder_.point_count());
+    const std::uint32_t point =
+        places_.number_at(p, next, [&](std::uint32_t i) { return builder_.points()[i]; });
+    if (point == next) builder_.add_point(p, number);
+    return point;
   }
 
  private:
-  static constexpr std::uint32_t kEmpty = 0xffffffff;
-
-  static std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
-  static bool same(const Vec3& a, const Vec3& b) {
-    return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
-  }
-  static std::uint64_t hash(const Vec3& p) {
-    std::uint64_t h = 0;
-    for (const double x : {p.x, p.y, p.z}) {
-      h = (h ^ bits(x)) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 32;
-    }
-    return h;
-  }
-
-  std::size_t slot_of(const Vec3& p) const {
-    std::size_t i = hash(p) & (slots_.size() - 1);
-    while (slots_[i] != kEmpty && !same(builder_.points()[slots_[i]], p))
-      i = (i + 1) & (slots_.size() - 1);
-    return i;
-  }
-
-  void grow() {
-    slots_.assign(2 * slots_.size(), kEmpty);
-    const auto& points = builder_.points();
-    for (std::uint32_t i = 0; i < points.size(); ++i) slots_[slot_of(points[i])] = i;
-  }
-
   ShapeBuilder& builder_;
-  std::vector<std::uint32_t> slots_;
+  PlaceTable places_;
 };
 
 Shape parse_binary(const Source& source) {

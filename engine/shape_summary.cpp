@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
+
+#include "place_table_detail.hpp"
+#include "used_points_detail.hpp"
 
 namespace marrow {
 
@@ -12,27 +15,12 @@ namespace {
 
 using PlaceId = std::uint32_t;
 
-std::vector<bool> used_points(const Shape& shape) {
-  std::vector<bool> used(shape.points.size(), shape.triangles.empty());
-  for (const Triangle& t : shape.triangles)
-    for (const auto p : t) used[p] = true;
-  return used;
-}
-
-/// For every point the place it stands at; places are numbered in the order of their coordinates.
+/// For every point the first one that stands at the same place.
 std::vector<PlaceId> weld(const std::vector<Vec3>& points) {
-  const auto key = [&](std::uint32_t i) {
-    return std::tuple(points[i].x, points[i].y, points[i].z);
-  };
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  PlaceTable places(points.size());
   std::vector<PlaceId> place(points.size());
-  PlaceId next = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && key(order[i - 1]) != key(order[i])) ++next;
-    place[order[i]] = next;
-  }
+  for (PlaceId i = 0; i < place.size(); ++i)
+    place[i] = places.number_at(points[i], i, [&](PlaceId k) { return points[k]; });
   return place;
 }
 
@@ -72,16 +60,16 @@ struct Places {
 
 Places count_places(const std::vector<Triangle>& triangles, std::size_t points) {
   Parts parts(points);
-  std::vector<bool> used(points, false);
+  std::vector<std::uint8_t> used(points, 0);
   for (const Triangle& t : triangles) {
     parts.join(t[0], t[1]);
     parts.join(t[1], t[2]);
-    for (const auto p : t) used[p] = true;
+    for (const auto p : t) used[p] = 1;
   }
   Places count;
   for (PlaceId p = 0; p < points; ++p) {
     count.used += used[p];
-    count.components += used[p] && parts.root(p) == p;
+    count.components += used[p] != 0 && parts.root(p) == p;
   }
   return count;
 }
@@ -90,22 +78,41 @@ struct Edges {
   std::size_t all = 0, open = 0, crowded = 0;
 };
 
-Edges count_edges(const std::vector<Triangle>& triangles) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-      edges.push_back(std::uint64_t{low} << 32 | high);
-    }
-  std::sort(edges.begin(), edges.end());
+/// The greater ends of all edges, sorted by the lesser one: those of place p begin at start[p].
+struct EdgeEnds {
+  std::vector<std::uint32_t> start;
+  std::vector<PlaceId> high;
+
+  EdgeEnds(const std::vector<Triangle>& triangles, std::size_t places)
+      : start(places + 1, 0), high(3 * triangles.size()) {
+    for_edges(triangles, [&](PlaceId low, PlaceId) { ++start[low + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for_edges(triangles, [&](PlaceId low, PlaceId end) { high[next[low]++] = end; });
+  }
+
+  template <class Visit>
+  static void for_edges(const std::vector<Triangle>& triangles, Visit visit) {
+    for (const Triangle& t : triangles)
+      for (const auto& [a, b] : {std::pair(t[0], t[1]), {t[1], t[2]}, {t[2], t[0]}})
+        visit(std::min(a, b), std::max(a, b));
+  }
+};
+
+Edges count_edges(const std::vector<Triangle>& triangles, std::size_t places) {
+  EdgeEnds ends(triangles, places);
   Edges count;
-  for (auto begin = edges.begin(); begin != edges.end();) {
-    const auto end = std::upper_bound(begin, edges.end(), *begin);
-    ++count.all;
-    count.open += end - begin == 1;
-    count.crowded += end - begin > 2;
-    begin = end;
+  for (std::size_t p = 0; p < places; ++p) {
+    auto begin = ends.high.begin() + ends.start[p];
+    const auto end = ends.high.begin() + ends.start[p + 1];
+    std::sort(begin, end);
+    while (begin != end) {
+      const auto other = std::find_if(begin, end, [&](PlaceId h) { return h != *begin; });
+      ++count.all;
+      count.open += other - begin == 1;
+      count.crowded += other - begin > 2;
+      begin = other;
+    }
   }
   return count;
 }
@@ -120,27 +127,22 @@ std::optional<std::size_t> handles_of(const Places& places, const Edges& edges,
   return static_cast<std::size_t>(twice / 2);
 }
 
-Bounds bounds_of(const Shape& shape, const std::vector<bool>& used) {
-  Bounds bounds;
-  for (std::size_t i = 0; i < shape.points.size(); ++i)
-    if (used[i]) bounds.add(shape.points[i]);
-  return bounds;
-}
-
 }  // namespace
 
 ShapeSummary summarize(const Shape& shape) {
   ShapeSummary summary;
   summary.points = shape.points.size();
   summary.triangles = shape.triangles.size();
-  const std::vector<bool> used = used_points(shape);
-  summary.unused_points = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-  summary.bounds = bounds_of(shape, used);
-  if (shape.triangles.empty()) return summary;
+  const bool only_points = shape.triangles.empty();
+  const auto used =
+      only_points ? std::vector<std::uint8_t>(shape.points.size(), 1) : used_points(shape);
+  summary.unused_points = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
+  for_used_points(shape, used, [&](const Vec3& p) { summary.bounds.add(p); });
+  if (only_points) return summary;
 
   const std::vector<Triangle> triangles = welded_triangles(shape);
   const Places places = count_places(triangles, shape.points.size());
-  const Edges edges = count_edges(triangles);
+  const Edges edges = count_edges(triangles, shape.points.size());
   summary.flat_triangles = shape.triangles.size() - triangles.size();
   summary.components = places.components;
   summary.open_edges = edges.open;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace marrow {
 
@@ -26,7 +27,7 @@ LatticePoint snap(const Vec3& p) {
 
 /// Square cells of 2^shift lattice steps over the whole frame.
 struct Cells {
-  int shift = 12, count = 130;  // along a side: coordinates run from -1 to 1 and a little more
+  int shift = 11, count = 260;  // along a side: coordinates run from -1 to 1 and a little more
 
   int of(std::int64_t coordinate) const {
     return std::clamp(static_cast<int>(coordinate >> shift) + count / 2, 0, count - 1);
@@ -39,7 +40,7 @@ constexpr Cells kCells;  // for finding the points under a triangle
 
 /// As fine as the triangles, as far as their number tells.
 Cells cells_for(std::size_t triangles) {
-  Cells cells;
+  Cells cells{12, 130};
   for (std::size_t few = 30'000; few < triangles && cells.shift > 10; few *= 4)
     --cells.shift, cells.count *= 2;
   return cells;
@@ -49,36 +50,57 @@ Vec3 corner(const NormalizedShape& shape, std::size_t i) {
   return {double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}};
 }
 
-/// Points sorted into the cells of the plane across one axis.
-class Buckets {
+/// The lines through points along one axis, sorted into the cells of the plane across it. Points
+/// often stand in columns, so that there are fewer lines than points.
+class Lines {
  public:
-  Buckets(std::span<const LatticePoint> points, std::size_t along)
-      : axis_(along),
-        u_((along + 1) % 3),
-        v_((along + 2) % 3),
-        start_(kCells.all() + 1, 0),
-        index_(points.size()) {
-    for (const auto& p : points) ++start_[cell(p) + 1];
+  struct Line {
+    std::int64_t u, v;
+    std::uint32_t first, count;  // of the points on it
+  };
+
+  Lines(std::span<const LatticePoint> points, std::size_t along)
+      : axis_(along), start_(kCells.all() + 1, 0), point_(points.size()) {
+    const std::size_t u = (along + 1) % 3, v = (along + 2) % 3;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // by cell, then by line
+    order.reserve(points.size());
+    for (const auto& p : points) {
+      const std::uint64_t cell = kCells.index(kCells.of(p[u]), kCells.of(p[v]));
+      order.push_back(
+          {cell << 40 | place(p[u]) << 20 | place(p[v]), static_cast<std::uint32_t>(order.size())});
+    }
+    std::sort(order.begin(), order.end());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      point_[i] = order[i].second;
+      if (i == 0 || order[i].first != order[i - 1].first) {
+        const LatticePoint& p = points[point_[i]];
+        lines_.push_back({p[u], p[v], i, 0});
+        ++start_[(order[i].first >> 40) + 1];
+      }
+      ++lines_.back().count;
+    }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    auto next = start_;
-    for (std::uint32_t i = 0; i < points.size(); ++i) index_[next[cell(points[i])]++] = i;
   }
 
   std::size_t axis() const { return axis_; }
 
-  /// The points in the cells from (x0, y) to (x1, y).
-  std::span<const std::uint32_t> row(int y, int x0, int x1) const {
+  /// The lines in the cells from (x0, y) to (x1, y).
+  std::span<const Line> row(int y, int x0, int x1) const {
     const std::uint32_t first = start_[kCells.index(x0, y)], end = start_[kCells.index(x1, y) + 1];
-    return std::span(index_).subspan(first, end - first);
+    return std::span(lines_).subspan(first, end - first);
+  }
+  std::span<const std::uint32_t> points_on(const Line& line) const {
+    return std::span(point_).subspan(line.first, line.count);
   }
 
  private:
-  std::size_t cell(const LatticePoint& p) const {
-    return kCells.index(kCells.of(p[u_]), kCells.of(p[v_]));
+  static std::uint64_t place(std::int64_t coordinate) {
+    return static_cast<std::uint64_t>(coordinate + (1 << 19));
   }
 
-  std::size_t axis_, u_, v_;
-  std::vector<std::uint32_t> start_, index_;
+  std::size_t axis_;
+  std::vector<std::uint32_t> start_, point_;
+  std::vector<Line> lines_;
 };
 
 /// The cells of all coordinates along one axis: snap(), many at once.
@@ -166,15 +188,15 @@ struct ProjectedTriangle {
     if (area < 0) std::swap(corner[1], corner[2]), area = -area, sign = -1;
   }
 
-  /// Twice the area times the coordinate along the axis where the line through `p` meets the
-  /// triangle. A line through an edge meets the triangle on one side of it only, so that a closed
-  /// surface is crossed exactly once there.
-  bool meets(const LatticePoint& p, std::int64_t& depth) const {
+  /// Twice the area times the coordinate along the axis where a line meets the triangle. A line
+  /// through an edge meets the triangle on one side of it only, so that a closed surface is crossed
+  /// exactly once there.
+  bool meets(const Lines::Line& line, std::int64_t& depth) const {
     depth = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const LatticePoint &a = corner[(i + 1) % 3], &b = corner[(i + 2) % 3];
       const std::int64_t du = b[u] - a[u], dv = b[v] - a[v];
-      const std::int64_t e = du * (p[v] - a[v]) - dv * (p[u] - a[u]);
+      const std::int64_t e = du * (line.v - a[v]) - dv * (line.u - a[u]);
       if (e < 0 || (e == 0 && !(dv < 0 || (dv == 0 && du > 0)))) return false;
       depth += e * corner[i][axis];
     }
@@ -204,18 +226,19 @@ std::pair<int, int> cells_of(const std::array<LatticePoint, 3>& corners, std::si
 
 /// Adds the crossings of a triangle with the lines through the points along one axis.
 void add_crossings(const std::array<LatticePoint, 3>& corners, std::span<const LatticePoint> points,
-                   const Buckets& buckets, std::vector<LineCount>& counts) {
-  const std::size_t axis = buckets.axis();
+                   const Lines& lines, std::vector<LineCount>& counts) {
+  const std::size_t axis = lines.axis();
   const auto [x0, x1] = cells_of(corners, (axis + 1) % 3);
   const auto [y0, y1] = cells_of(corners, (axis + 2) % 3);
   for (int y = y0; y <= y1; ++y) {
-    const auto row = buckets.row(y, x0, x1);
+    const auto row = lines.row(y, x0, x1);
     if (row.empty()) continue;
     const ProjectedTriangle triangle(corners[0], corners[1], corners[2], axis);
     if (triangle.area == 0) return;
-    for (const std::uint32_t i : row) {
+    for (const auto& line : row) {
       std::int64_t depth = 0;
-      if (triangle.meets(points[i], depth))
+      if (!triangle.meets(line, depth)) continue;
+      for (const std::uint32_t i : lines.points_on(line))
         counts[i].add(triangle.sign, depth - points[i][axis] * triangle.area, triangle.area);
     }
   }
@@ -229,7 +252,7 @@ std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) const {
   std::vector<LatticePoint> snapped;
   snapped.reserve(points.size());
   for (const auto& p : points) snapped.push_back(snap(p));
-  const std::array buckets{Buckets(snapped, 0), Buckets(snapped, 1), Buckets(snapped, 2)};
+  const std::array lines{Lines(snapped, 0), Lines(snapped, 1), Lines(snapped, 2)};
   std::array<std::vector<LineCount>, 3> counts;
   counts.fill(std::vector<LineCount>(points.size()));
   const NearPoints near(shape_, snapped);
@@ -239,7 +262,7 @@ std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) const {
     const std::array<LatticePoint, 3> corners{
         snap(corner(shape_, t[0])), snap(corner(shape_, t[1])), snap(corner(shape_, t[2]))};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((axes >> axis & 1) != 0) add_crossings(corners, snapped, buckets[axis], counts[axis]);
+      if ((axes >> axis & 1) != 0) add_crossings(corners, snapped, lines[axis], counts[axis]);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {
     int inside = 0, outside = 0;

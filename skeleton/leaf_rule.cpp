@@ -1,10 +1,12 @@
 #include <marrow/perceptual_core.hpp>
 
 #include <algorithm>
-#include <set>
+#include <functional>
+#include <queue>
 #include <utility>
 #include <vector>
 
+#include "ball_grid_detail.hpp"
 #include "live_graph_detail.hpp"
 
 namespace marrow {
@@ -14,24 +16,29 @@ namespace {
 constexpr double kLeastScore = 0.36;
 constexpr double kVoxelsBeyond = 2;
 constexpr double kLeastRivalry = 0.6;  // support of a ball that may hold a node, of the node's
-constexpr NodeId kNone = ~NodeId{0};
+constexpr NodeId kNone = BallGrid::kNone;
 
 class LeafPruner {
  public:
   LeafPruner(const VoteGraph& graph, double voxel)
       : graph_(graph),
         voxel_(voxel),
+        balls_(graph, voxel),
         owner_(graph.nodes.size(), kNone),
         cover_(graph.nodes.size(), kNone),
-        next_(graph.nodes.size(), 0),
-        served_(graph.nodes.size()),
+        search_(graph.nodes.size()),
+        first_served_(graph.nodes.size(), kNone),
         leaf_of_(graph.nodes.size(), kNone),
         score_(graph.nodes.size(), kNotWaiting) {}
 
   VoteGraph prune() {
     for (NodeId n = 0; n < graph_.size(); ++n)
       if (graph_.degree(n) == 1) consider(n);
-    while (!waiting_.empty()) remove(waiting_.begin()->second);
+    while (!waiting_.empty()) {
+      const auto [score, leaf] = waiting_.top();
+      waiting_.pop();
+      if (score_[leaf] == score) remove(leaf);  // else it was judged again, or is gone
+    }
     return graph_.result();
   }
 
@@ -40,31 +47,26 @@ class LeafPruner {
 
   /// Judges the branch of a leaf; it waits for its removal if it tells too little.
   void consider(NodeId leaf) {
-    forget(leaf);
+    score_[leaf] = kNotWaiting;
     const LeafBranch branch = trace_leaf_branch(graph_, leaf);
     if (!branch.ends_at_joint) return;
     const auto [score, too_short] = judge(branch);
     for (const NodeId n : branch.nodes) leaf_of_[n] = leaf;
     if (!too_short && score >= kLeastScore) return;
     score_[leaf] = score;
-    waiting_.insert({score, leaf});
-  }
-
-  void forget(NodeId leaf) {
-    if (score_[leaf] != kNotWaiting) waiting_.erase({score_[leaf], leaf});
-    score_[leaf] = kNotWaiting;
+    waiting_.push({score, leaf});
   }
 
   /// Removes the branch of a leaf, and judges those again that it mattered to: branches that its
   /// balls held, and those that now run on through its joint.
   void remove(NodeId leaf) {
-    forget(leaf);
+    score_[leaf] = kNotWaiting;
     const LeafBranch branch = trace_leaf_branch(graph_, leaf);
     for (const NodeId n : branch.nodes) graph_.remove_node(n);
     std::vector<NodeId> again;
     for (const NodeId n : branch.nodes)
-      for (const NodeId held : served_[n])
-        if (graph_.alive(held)) again.push_back(leaf_of_[held]);
+      for (std::uint32_t k = first_served_[n]; k != kNone; k = served_[k].next)
+        if (graph_.alive(served_[k].node)) again.push_back(leaf_of_[served_[k].node]);
     if (graph_.degree(branch.joint) == 2)
       for (const NodeId n : graph_.neighbours(branch.joint)) again.push_back(leaf_of_[n]);
     std::sort(again.begin(), again.end());
@@ -104,15 +106,18 @@ class LeafPruner {
   bool covered(NodeId n, const LeafBranch& branch) {
     if (cover_[n] != kNone && in_rest(cover_[n], branch)) return true;
     cover_[n] = find_cover(n, branch);
-    if (cover_[n] != kNone) served_[cover_[n]].push_back(n);
-    return cover_[n] != kNone;
+    if (cover_[n] == kNone) return false;
+    served_.push_back({n, first_served_[cover_[n]]});
+    first_served_[cover_[n]] = static_cast<std::uint32_t>(served_.size() - 1);
+    return true;
   }
 
   NodeId find_cover(NodeId n, const LeafBranch& branch) {
     if (holds(branch.joint, n)) return branch.joint;
-    for (NodeId& m = next_[n]; m < graph_.size(); ++m)
-      if (holds(m, n) && in_rest(m, branch)) return m;
-    return kNone;
+    for (;;) {
+      const NodeId m = balls_.next(graph_.node(n).position, search_[n]);
+      if (m == BallGrid::kNone || (holds(m, n) && in_rest(m, branch))) return m;
+    }
   }
 
   /// A weakly supported path beside a strong one must not outdo it: its balls hold it, but do not
@@ -127,15 +132,24 @@ class LeafPruner {
     return graph_.alive(n) && owner_[n] != branch.leaf();
   }
 
+  /// An entry of a list of nodes; all lists share one array.
+  struct Served {
+    NodeId node;
+    std::uint32_t next;
+  };
+  using Waiting = std::pair<double, NodeId>;
+
   LiveGraph graph_;
   double voxel_;
+  BallGrid balls_;
   std::vector<NodeId> owner_;                // leaf of the branch being judged
   std::vector<NodeId> cover_;                // a node of the rest whose ball holds this one
-  std::vector<NodeId> next_;                 // where the search for a cover goes on
-  std::vector<std::vector<NodeId>> served_;  // nodes that this one was the cover of
-  std::vector<NodeId> leaf_of_;              // leaf of the branch this node was last judged in
-  std::vector<double> score_;                // of waiting leaves
-  std::set<std::pair<double, NodeId>> waiting_;
+  std::vector<BallGrid::Search> search_;     // where the search for a cover goes on
+  std::vector<std::uint32_t> first_served_;  // nodes that this one was the cover of
+  std::vector<Served> served_;
+  std::vector<NodeId> leaf_of_;  // leaf of the branch this node was last judged in
+  std::vector<double> score_;    // of waiting leaves
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
 };
 
 }  // namespace

@@ -33,18 +33,24 @@ std::string hash_of(std::string_view bytes) {
   return std::string("fnv1a64:") + digits;
 }
 
+Statistics describe(const InputFile& input, const Shape& shape) {
+  Statistics s;
+  s["file"] = input.name;
+  s["format"] = input.format;
+  s["bytes"] = input.bytes.size();
+  s["hash"] = hash_of(input.bytes);
+  s["points"] = shape.points.size();
+  s["triangles"] = shape.triangles.size();
+  return s;
+}
+
 /// All that is not under "run" is the same for the same input, options and version.
-Statistics describe(const ExtractRequest& request, const InputFile& input, const Shape& shape,
+Statistics describe(const ExtractRequest& request, const Statistics& input,
                     const CurveSkeleton& skeleton, const std::vector<StageTime>& times) {
   Statistics s;
   s["program"] = "marrow";
   s["version"] = program_version();
-  s["input"]["file"] = input.name;
-  s["input"]["format"] = input.format;
-  s["input"]["bytes"] = input.bytes.size();
-  s["input"]["hash"] = hash_of(input.bytes);
-  s["input"]["points"] = shape.points.size();
-  s["input"]["triangles"] = shape.triangles.size();
+  s["input"] = input;
   s["options"]["image"] = request.image;
   s["options"]["grid"] = request.grid;
   s["skeleton"] = statistics_of(skeleton);
@@ -120,15 +126,18 @@ void run_extract(const ExtractRequest& request) {
   const SkeletonFormat format = output_skeleton_format(request.out, request.to);
   Progress progress(request.quiet);
   progress.begin("read", 0);
-  const InputFile input = read_input(request.shape, request.from);
+  InputFile input = read_input(request.shape, request.from);
   const Shape shape = shape_of(input);
+  const bool with_json = !request.json.empty();
+  const Statistics about_input = with_json ? describe(input, shape) : Statistics();
+  std::string().swap(input.bytes);  // as large as the shape
   Extraction extraction = run_stages(request, input, shape, progress);
   const CurveSkeleton& skeleton = extraction.skeleton;
   const std::vector<StageTime> times = progress.finish();
 
   std::vector<OutputFile> files = std::move(extraction.trace);
-  if (!request.json.empty())
-    files.push_back({request.json, to_json(describe(request, input, shape, skeleton, times))});
+  if (with_json)
+    files.push_back({request.json, to_json(describe(request, about_input, skeleton, times))});
   files.push_back({request.out, format_skeleton(skeleton, format)});
   write_outputs(files, request.trace);
   if (request.quiet) return;

@@ -5,6 +5,9 @@
 // itself, because tinyobjloader rounds their numbers, and lets only faces through: so no line can
 // make it open another file, and its float and double builds are alike to us. Its callbacks give
 // faces of any number of corners, where its LoadObj() stops counting at 255.
+//
+// Faces of bare vertex numbers are most of all lines of most files: the checker has read them when
+// it has checked them, and keeps them too.
 
 #include <marrow/error.hpp>
 
@@ -95,7 +98,7 @@ class ObjChecker : public std::streambuf {
         continue;
       }
       if (line[0] == 'v') add_vertex(whole_statement(line));
-      if (line[0] == 'f') {
+      if (line[0] == 'f' && !add_plain_face(line)) {
         let_through(whole_statement(line));
         return traits_type::to_int_type(*gptr());
       }
@@ -149,6 +152,28 @@ class ObjChecker : public std::streambuf {
       fail("a vertex has 3 numbers, or 4, 6 or 7 with weight and colour, not " +
            std::to_string(count));
     builder_.add_point({value[0], value[1], value[2]}, line_number_);
+  }
+
+  /// Adds the face if its corners are nothing but the numbers of vertices, counted from the first.
+  bool add_plain_face(std::string_view line) {
+    constexpr std::uint32_t kSafe = 100'000'000;  // one digit more still fits into an int
+    face_.clear();
+    const char* at = line.data() + 1;
+    const char* const end = line.data() + line.size();
+    for (;;) {
+      while (at != end && is_blank(*at)) ++at;
+      if (at == end) break;
+      std::uint32_t number = 0;
+      const char* const first = at;
+      for (; at != end && is_digit(*at) && number < kSafe; ++at)
+        number = 10 * number + static_cast<std::uint32_t>(*at - '0');
+      if (at == first || (at != end && !is_blank(*at))) return false;
+      face_.push_back(number);
+    }
+    if (face_.empty()) return false;
+    for (std::uint32_t& corner : face_) corner = resolve(static_cast<int>(corner));
+    builder_.add_face(face_);
+    return true;
   }
 
   /// Checks the words of a face and lets tinyobjloader read it.

@@ -83,10 +83,39 @@ inline std::string_view take_word(std::string_view& text) {
 /// double holds, which become 0 or infinite.
 bool parse_unusual_number(std::string_view word, double& value);
 
+/// Takes a number of the form -12.345 off `text` if it has few digits: both the digits and the
+/// power of ten are doubles then, and their quotient is the nearest one.
+inline bool take_short_decimal(std::string_view& text, double& value) {
+  constexpr double kPowers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  constexpr std::ptrdiff_t kMostDigits = 15;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const bool negative = at != end && *at == '-';
+  if (negative) ++at;
+  std::uint64_t digits = 0;
+  const auto take_digits = [&] {
+    const char* const first = at;
+    for (; at != end && *at >= '0' && *at <= '9'; ++at)
+      digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+    return at - first;
+  };
+  const std::ptrdiff_t whole = take_digits();
+  std::ptrdiff_t fraction = 0;
+  if (at != end && *at == '.') ++at, fraction = take_digits();
+  if (whole + fraction == 0 || whole + fraction > kMostDigits) return false;
+  if (at != end && !is_blank(*at)) return false;
+  value = static_cast<double>(digits) / kPowers[fraction];
+  if (negative) value = -value;
+  text.remove_prefix(static_cast<std::size_t>(at - text.data()));
+  return true;
+}
+
 /// Takes a number off `text` if its first word is one as a whole; it may be infinite or not a
 /// number. Else false, and `text` begins with the word in question.
 inline bool take_number(std::string_view& text, double& value) {
   skip_blanks(text);
+  if (take_short_decimal(text, value)) return true;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc() && (stop == end || is_blank(*stop))) {

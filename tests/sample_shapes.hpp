@@ -3,6 +3,7 @@
 
 #include <marrow/shape.hpp>
 
+#include <algorithm>
 #include <map>
 
 #include "random.hpp"

@@ -1,8 +1,11 @@
 #include <marrow/shape_io.hpp>
 
+#include <bit>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
 
+#include "sample_shapes.hpp"
 #include "shape_text.hpp"
 
 using namespace marrow;
@@ -36,6 +39,48 @@ TEST_CASE("OBJ: relative indices count from where they stand", "[shape_io][obj]"
   const Shape shape = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -3 -2\n");
   CHECK(shape.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}});
   CHECK(obj("v 0 0 0\rv 1 0 0\rv 0 1 0\rf -3 -2 -1\rv 5 5 5\rf -4 -3 -2\r") == shape);
+}
+
+TEST_CASE("OBJ: coordinates are the nearest doubles", "[shape_io][obj]") {
+  test::Random random(21);
+  int different = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string number = random.below(2) == 1 ? "-" : "";
+    const std::uint32_t digits = 1 + random.below(22), point = random.below(digits + 8);
+    for (std::uint32_t k = 0; k < digits; ++k) {
+      if (k == point) number += '.';
+      number += static_cast<char>('0' + random.below(random.below(3) == 0 ? 1 : 10));
+    }
+    if (random.below(8) == 0)
+      number.append("e").append(std::to_string(static_cast<int>(random.below(40)) - 20));
+    const double x = obj("v " + number + " 0 " + number + "\n").points[0].x;
+    different += std::bit_cast<std::uint64_t>(x) !=
+                 std::bit_cast<std::uint64_t>(std::strtod(number.c_str(), nullptr));
+  }
+  CHECK(different == 0);
+  CHECK(obj("v .5 5. -.5\n").points[0] == Vec3{0.5, 5, -0.5});
+  for (const char* word : {".", "-", "-.", "1.2.3", "1-", "--1", "0x1", "1,5"})
+    check_malformed("v 1 2 " + std::string(word) + "\n", "1", word);
+}
+
+TEST_CASE("OBJ: plain faces give what all others give", "[shape_io][obj]") {
+  test::Random random(22);
+  const Shape soup = test::make_soup(random, 300, 500);
+  const std::string points = format_shape({soup.points, {}}, ShapeFormat::Obj);
+  std::string plain = points, mixed = points;
+  for (const Triangle& t : soup.triangles) {
+    plain += 'f', mixed += 'f';
+    for (const std::uint32_t i : t) {
+      plain.append(" ").append(std::to_string(i + 1));
+      mixed.append(" ").append(std::to_string(static_cast<int>(i) + 1));
+      if (random.below(3) == 0) mixed.append("/1/1");
+    }
+    plain += random.below(2) == 1 ? " \t\n" : "\n", mixed += '\n';
+  }
+  CHECK(obj(plain) == soup);
+  CHECK(obj(mixed) == soup);
+  // A number too many digits for a plain one may still be a vertex.
+  CHECK(obj(kSquare + "f 1 2 00000000003\nf 1 3 4\n") == kTwoTriangles);
 }
 
 TEST_CASE("OBJ: weights and colours behind a vertex are passed over", "[shape_io][obj]") {

@@ -44,8 +44,7 @@ void fill_small_holes(BitImage& mask, double radius) {
 
 BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
   const SnappedPoints points = snap(shape, plane, resolution);
-  const Facing facing = shape.oriented ? Facing::CounterClockwise : Facing::Both;
-  auto [mask, large] = fill(points, shape.triangles, facing, resolution);
+  auto [mask, large] = fill(points, shape.triangles, facing_of(shape), resolution);
   trace_thin(mask, points, shape.triangles, large, resolution);
   if (!shape.closed) fill_small_holes(mask, kSmallHole * resolution);
   return mask;

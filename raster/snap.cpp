@@ -17,27 +17,43 @@ struct LatticeAxis {
   float x, y, z, scale, offset;
 };
 
+struct Coordinates {
+  const float *x, *y, *z;
+};
+
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> truncate(D, hn::Vec<D> v) {
+  const hn::RebindToSigned<D> di;
+#if HWY_TARGET == HWY_SCALAR  // where ConvertTo() looks for numbers that do not fit
+  return hn::Set(di, static_cast<std::int32_t>(hn::GetLane(v)));
+#else
+  return hn::ConvertTo(di, v);
+#endif
+}
+
 /// Lattice coordinates of as many points as `d` has lanes, from `i` on. Multiplies and adds apart,
 /// never fused: the last bit is the same on every machine.
 template <class D>
-auto along_axis(D d, const NormalizedShape& shape, const LatticeAxis& axis, std::size_t i) {
-  const auto x = hn::Mul(hn::Set(d, axis.x), hn::LoadU(d, &shape.x[i]));
-  const auto y = hn::Mul(hn::Set(d, axis.y), hn::LoadU(d, &shape.y[i]));
-  const auto z = hn::Mul(hn::Set(d, axis.z), hn::LoadU(d, &shape.z[i]));
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> along_axis(D d, const Coordinates& p,
+                                                     const LatticeAxis& axis, std::size_t i) {
+  const auto x = hn::Mul(hn::Set(d, axis.x), hn::LoadU(d, p.x + i));
+  const auto y = hn::Mul(hn::Set(d, axis.y), hn::LoadU(d, p.y + i));
+  const auto z = hn::Mul(hn::Set(d, axis.z), hn::LoadU(d, p.z + i));
   const auto along = hn::Add(hn::Add(x, y), z);
   // Positive, so that the conversion's truncation is a floor.
-  return hn::ConvertTo(hn::RebindToSigned<D>(),
-                       hn::Add(hn::Mul(along, hn::Set(d, axis.scale)), hn::Set(d, axis.offset)));
+  return truncate(d, hn::Add(hn::Mul(along, hn::Set(d, axis.scale)), hn::Set(d, axis.offset)));
 }
 
 /// Snaps points from `i` on as long as there are as many as lanes; where it ended.
 template <class D>
-std::size_t snap_points(D d, const NormalizedShape& shape, const LatticeAxis& u,
-                        const LatticeAxis& v, std::size_t i, SnappedPoints& points) {
+std::size_t snap_points(D d, const Coordinates& p, const LatticeAxis& u, const LatticeAxis& v,
+                        std::size_t i, SnappedPoints& points) {
   const hn::RebindToUnsigned<D> du;
-  for (const std::size_t lanes = hn::Lanes(d); i + lanes <= points.size(); i += lanes) {
-    const auto x = along_axis(d, shape, u, i), y = along_axis(d, shape, v, i);
-    hn::StoreU(hn::BitCast(du, hn::Or(x, hn::ShiftLeft<16>(y))), du, points.packed() + i);
+  const std::size_t lanes = hn::Lanes(d), count = points.size();
+  std::uint32_t* const packed = points.packed();
+  for (; i + lanes <= count; i += lanes) {
+    const auto x = along_axis(d, p, u, i), y = along_axis(d, p, v, i);
+    hn::StoreU(hn::BitCast(du, hn::Or(x, hn::ShiftLeft<16>(y))), du, packed + i);
   }
   return i;
 }
@@ -52,8 +68,9 @@ SnappedPoints snap_on_target(const NormalizedShape& shape, const ViewPlane& plan
   };
   const LatticeAxis u = lattice_axis(plane.u), v = lattice_axis(plane.v);
   SnappedPoints points(shape.x.size());
-  const std::size_t rest = snap_points(hn::ScalableTag<float>(), shape, u, v, 0, points);
-  snap_points(hn::CappedTag<float, 1>(), shape, u, v, rest, points);
+  const Coordinates p{shape.x.data(), shape.y.data(), shape.z.data()};
+  const std::size_t rest = snap_points(hn::ScalableTag<float>(), p, u, v, 0, points);
+  snap_points(hn::CappedTag<float, 1>(), p, u, v, rest, points);
   return points;
 }
 

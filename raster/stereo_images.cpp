@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fill_detail.hpp"
+
 namespace marrow {
 
 namespace {
@@ -65,7 +67,8 @@ ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int re
 StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction) {
   const Frame any = frame_along(direction);
   const SnappedPoints points = snap(shape, {any.x, any.y}, kFrameResolution);
-  PlaneMoments m = pixel_moments(fill_triangles(points, shape.triangles, kFrameResolution));
+  const Facing facing = facing_of(shape);
+  PlaneMoments m = pixel_moments(fill(points, shape.triangles, facing, kFrameResolution).mask);
   if (m.n < kFewPixels) m = point_moments(points);  // a plate seen from its edge
   const auto [ax, ay] = major_axis(m);
   const Vec3 y = any.x * ax + any.y * ay;

@@ -1,15 +1,15 @@
 #include <numeric>
 #include <utility>
 
-#include "lattice_triangle_detail.hpp"
 #include "thin_triangles_detail.hpp"
 
 namespace marrow {
 
 namespace {
 
-constexpr int kBlockShift = 3;   // blocks of 8 x 8 pixels
-constexpr int kPieceSteps = 16;  // of a long edge
+constexpr int kPieceSteps = 16;       // of an edge are drawn together
+constexpr int kFewRows = 10;          // are looked at one by one
+constexpr std::size_t kEdges = 1024;  // remembered, a power of two
 
 /// Whether the bits `first` to `last` of a row are set.
 bool are_set(const BitImage::Word* row, int first, int last) {
@@ -20,57 +20,83 @@ bool are_set(const BitImage::Word* row, int first, int last) {
   return true;
 }
 
-/// One bit for every block of 8 x 8 pixels: whether the image fills it.
-BitImage full_blocks(const BitImage& image) {
-  const int side = 1 << kBlockShift;
-  BitImage blocks(image.width() / side, image.height() / side);
-  for (int by = 0; by < blocks.height(); ++by)
-    for (int i = 0; i < image.words_per_row(); ++i) {
-      BitImage::Word all = ~BitImage::Word{0};
-      for (int y = side * by; y < side * (by + 1); ++y) all &= image.row(y)[i];
-      for (int k = 0; k < 64 / side; ++k)
-        if ((all >> (side * k) & 0xff) == 0xff) blocks.set(i * (64 / side) + k, by);
-    }
-  return blocks;
+/// Pixels from (left, low) to (right, high).
+struct PixelBox {
+  int left, right, low, high;
+};
+
+bool is_set(const BitImage& image, const PixelBox& box) {
+  for (int y = box.low; y <= box.high; ++y)
+    if (!are_set(image.row(y), box.left, box.right)) return false;
+  return true;
 }
 
 /// from + (to - from) * i / steps for one i after the other: the division rounds towards `from`.
 class Walk {
  public:
   Walk(int from, int to, int steps)
-      : from_(from), sign_(to < from ? -1 : 1), length_(std::abs(to - from)), steps_(steps) {}
+      : from_(from),
+        sign_(to < from ? -1 : 1),
+        length_(std::abs(to - from)),
+        steps_(steps),
+        more_whole_(length_ / steps),
+        more_rest_(length_ % steps) {}
 
   int at(int i) const { return from_ + sign_ * (length_ * i / steps_); }
   void go_to(int i) { whole_ = length_ * i / steps_, rest_ = length_ * i % steps_; }
   int place() const { return from_ + sign_ * whole_; }
   void step() {
-    whole_ += length_ / steps_, rest_ += length_ % steps_;
+    whole_ += more_whole_, rest_ += more_rest_;
     if (rest_ >= steps_) ++whole_, rest_ -= steps_;
   }
 
  private:
-  int from_, sign_, length_, steps_;
+  int from_, sign_, length_, steps_, more_whole_, more_rest_;
   int whole_ = 0, rest_ = 0;
 };
 
-/// Corners of a triangle, in pixels of the lattice.
-struct Corner {
-  int x, y;
+/// Squares of 4, 8 and 32 pixels that lie within an image.
+struct Squares {
+  explicit Squares(const BitImage& image)
+      : four(squares_within(image, 4)),
+        eight(squares_within(image, 8)),
+        many(squares_within(image, 32)) {}
+
+  /// Whether squares within the image make up the box, or one holds it.
+  bool hold(const PixelBox& box) const {
+    return std::max(box.right - box.left, box.high - box.low) < 32 ? hold(eight, 8, box)
+                                                                   : hold(many, 32, box);
+  }
+
+  BitImage four, eight, many;
+
+ private:
+  static bool hold(const BitImage& squares, int side, const PixelBox& box) {
+    const int last_x = std::max(box.left, box.right - side + 1);
+    const int last_y = std::max(box.low, box.high - side + 1);
+    for (int y = box.low; y <= box.high; y += side)
+      for (int x = box.left; x <= box.right; x += side)
+        if (!squares(std::min(x, last_x), std::min(y, last_y))) return false;
+    return true;
+  }
 };
 
 /// Draws edges where nothing of the mask is near.
 class EdgeTrace {
  public:
-  EdgeTrace(const BitImage& near_mask, int shift)
+  EdgeTrace(const BitImage& near_mask, const Squares& squares, int shift)
       : trace(near_mask.width(), near_mask.height()),
         near_(near_mask),
-        blocks_(full_blocks(near_mask)),
-        shift_(shift) {}
+        squares_(squares),
+        shift_(shift) {
+    known_.fill(~std::uint64_t{0});
+  }
 
-  void draw(const std::array<Corner, 3>& corners) {
-    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
-    const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    if (is_covered({left, low}, {right, high})) return;
+  void draw(const std::array<LatticePoint, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const LatticePoint low{std::min(std::min(a.x, b.x), c.x), std::min(std::min(a.y, b.y), c.y)};
+    const LatticePoint high{std::max(std::max(a.x, b.x), c.x), std::max(std::max(a.y, b.y), c.y)};
+    if (is_covered(low, high)) return;
     for (std::size_t i = 0; i < 3; ++i) draw_edge(corners[i], corners[(i + 1) % 3]);
   }
 
@@ -78,18 +104,32 @@ class EdgeTrace {
 
  private:
   /// The order of the ends is nothing.
-  void draw_edge(Corner a, Corner b) {
+  void draw_edge(LatticePoint a, LatticePoint b) {
     if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
+    if (is_known(a, b)) return;
     const int steps = (std::max(b.x - a.x, std::abs(b.y - a.y)) >> shift_) + 1;
     Walk x(a.x, b.x, steps), y(a.y, b.y, steps);
-    for (int first = 0; first <= steps; first += kPieceSteps) {
-      const int last = std::min(first + kPieceSteps - 1, steps);
-      if (!is_covered({x.at(first), y.at(first)}, {x.at(last), y.at(last)}))
-        draw_piece(x, y, first, last);
-    }
+    draw_steps(x, y, 0, steps);
   }
 
-  void draw_piece(Walk& x, Walk& y, int first, int last) {
+  /// Most edges come twice, and those of neighbours soon one after the other.
+  bool is_known(LatticePoint a, LatticePoint b) {
+    const auto word = [](int high, int low) {
+      return static_cast<std::uint64_t>(high) << 16 | static_cast<std::uint64_t>(low);
+    };
+    const std::uint64_t ends = word(a.x, a.y) << 32 | word(b.x, b.y);
+    std::uint64_t& known = known_[(ends * 0x9e3779b97f4a7c15u >> 32) % kEdges];
+    return std::exchange(known, ends) == ends;
+  }
+
+  void draw_steps(Walk& x, Walk& y, int first, int last) {
+    if (is_covered({x.at(first), y.at(first)}, {x.at(last), y.at(last)})) return;
+    if (last - first > kPieceSteps) {
+      const int middle = (first + last) / 2;
+      draw_steps(x, y, first, middle);
+      draw_steps(x, y, middle + 1, last);
+      return;
+    }
     x.go_to(first), y.go_to(first);
     for (int i = first; i <= last; ++i, x.step(), y.step()) {
       const int px = nearest_pixel(x.place(), shift_), py = nearest_pixel(y.place(), shift_);
@@ -98,57 +138,68 @@ class EdgeTrace {
   }
 
   /// Whether the mask is known to be near to all pixels between a and b.
-  bool is_covered(Corner a, Corner b) const {
-    const auto block = [&](int c) { return nearest_pixel(c, shift_) >> kBlockShift; };
-    const int left = block(std::min(a.x, b.x)), right = block(std::max(a.x, b.x));
-    const int high = block(std::max(a.y, b.y));
-    if (right >= blocks_.width() || high >= blocks_.height()) return false;
-    for (int by = block(std::min(a.y, b.y)); by <= high; ++by)
-      if (!are_set(blocks_.row(by), left, right)) return false;
-    return true;
+  bool is_covered(LatticePoint a, LatticePoint b) const {
+    const PixelBox box = {
+        nearest_pixel(std::min(a.x, b.x), shift_), nearest_pixel(std::max(a.x, b.x), shift_),
+        nearest_pixel(std::min(a.y, b.y), shift_), nearest_pixel(std::max(a.y, b.y), shift_)};
+    return squares_.hold(box) || (box.high - box.low < kFewRows && is_set(near_, box));
   }
 
   const BitImage& near_;
-  BitImage blocks_;
+  const Squares& squares_;
   int shift_;
+  std::array<std::uint64_t, kEdges> known_;
 };
 
 /// The edges of a small triangle stay within a pixel of its corners: those of which a corner is
 /// uncovered.
-std::vector<std::uint32_t> uncovered(const SnappedPoints& points,
-                                     std::span<const Triangle> triangles, const BitImage& near_mask,
-                                     int shift) {
-  std::vector<std::uint32_t> chosen;
+PackedTriangles uncovered(const SnappedPoints& points, std::span<const Triangle> triangles,
+                          const BitImage& near_mask, int shift) {
+  PackedTriangles chosen;
   if (holds_all(near_mask, points, shift)) return chosen;
   std::vector<std::uint8_t> is_uncovered(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     is_uncovered[i] =
         !near_mask(nearest_pixel(points.x(i), shift), nearest_pixel(points.y(i), shift));
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    if ((is_uncovered[t[0]] | is_uncovered[t[1]] | is_uncovered[t[2]]) != 0) chosen.push_back(i);
-  }
+  for (const Triangle& t : triangles)
+    if ((is_uncovered[t[0]] | is_uncovered[t[1]] | is_uncovered[t[2]]) != 0)
+      chosen.push_back(points, t);
   return chosen;
 }
 
 }  // namespace
 
+BitImage squares_within(BitImage image, int side) {
+  const int words = image.words_per_row();
+  for (int y = 0; y < image.height(); ++y)
+    for (int step = 1; step < side; step *= 2)
+      for (int i = 0; i < words; ++i) {
+        BitImage::Word* const word = image.row(y) + i;
+        *word &= *word >> step | (i + 1 < words ? word[1] << (64 - step) : 0);
+      }
+  for (int step = 1; step < side; step *= 2)
+    for (int y = 0; y < image.height(); ++y)
+      for (int i = 0; i < words; ++i)
+        image.row(y)[i] &= y + step < image.height() ? image.row(y + step)[i] : 0;
+  return image;
+}
+
 void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Triangle> triangles,
-                std::span<const std::uint32_t> large, int resolution) {
+                const PackedTriangles& large, int resolution) {
   const int shift = lattice_shift(resolution);
   const std::int64_t thin = std::int64_t{8} << (2 * shift);
   const BitImage near_mask = dilate(mask, 1.5);
-  EdgeTrace edges(near_mask, shift);
-  const auto trace = [&](std::uint32_t i) {
-    std::array<Corner, 3> c;
-    for (std::size_t k = 0; k < 3; ++k)
-      c[k] = {points.x(triangles[i][k]), points.y(triangles[i][k])};
-    const std::int64_t twice_area = std::int64_t{c[1].x - c[0].x} * (c[2].y - c[0].y) -
-                                    std::int64_t{c[2].x - c[0].x} * (c[1].y - c[0].y);
-    if (std::abs(twice_area) < thin) edges.draw(c);
+  const Squares squares(near_mask);
+  EdgeTrace edges(near_mask, squares, shift);
+  const auto trace = [&](const PackedTriangles& some) {
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const auto corners = corners_of(some, i);
+      if (std::abs(twice_area(corners)) < thin) edges.draw(corners);
+    }
   };
-  for (const std::uint32_t i : large) trace(i);
-  for (const std::uint32_t i : uncovered(points, triangles, near_mask, shift)) trace(i);
+  const PackedTriangles rest = not_within(squares.eight, 8, large, shift);
+  trace(not_within(squares.four, 4, rest, shift));
+  trace(uncovered(points, triangles, near_mask, shift));
   for (int y = 0; y < resolution; ++y)
     for (int i = 0; i < mask.words_per_row(); ++i) mask.row(y)[i] |= edges.trace.row(y)[i];
 }
@@ -156,10 +207,11 @@ void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Tri
 void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
                           std::span<const Triangle> triangles, int resolution) {
   const int shift = lattice_shift(resolution);
-  std::vector<std::uint32_t> large;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const LatticeTriangle box(points, triangles[i], shift);
-    if (box.right - box.left > 1 || box.high - box.low > 1) large.push_back(i);
+  PackedTriangles large;
+  for (const Triangle& t : triangles) {
+    PackedTriangles one;
+    one.push_back(points, t);
+    if (LatticeTriangle(corners_of(one, 0), shift).is_large()) large.push_back(points, t);
   }
   trace_thin(mask, points, triangles, large, resolution);
 }

@@ -1,21 +1,25 @@
 // Thin triangles, for those who know already which are large.
 #pragma once
 
-#include <marrow/silhouette.hpp>
+#include "lattice_triangle_detail.hpp"
 
 namespace marrow {
 
-/// trace_thin_triangles() where `large` names all triangles whose boxes hold three pixel centres
-/// and more along a side.
+/// trace_thin_triangles() where `large` holds all triangles with three pixel centres and more along
+/// a side.
 void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Triangle> triangles,
-                std::span<const std::uint32_t> large, int resolution);
+                const PackedTriangles& large, int resolution);
 
-/// The pixel of a lattice coordinate.
-inline int nearest_pixel(int coordinate, int shift) {
-  return (coordinate + (1 << shift) / 2) >> shift;
-}
+/// Where an image holds the whole square of which this is the lowest, leftmost pixel. `side` is a
+/// power of two.
+BitImage squares_within(BitImage image, int side);
 
-/// Whether the pixels of all points are set.
+/// Those of `triangles` of which one square within an image does not show that the image holds
+/// them, corners and all.
+PackedTriangles not_within(const BitImage& squares, int side, const PackedTriangles& triangles,
+                           int shift);
+
+/// Whether the image holds the pixels of all points.
 bool holds_all(const BitImage& image, const SnappedPoints& points, int shift);
 
 }  // namespace marrow

@@ -1,5 +1,6 @@
 #include <marrow/image.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -20,6 +21,20 @@ void or_shifted(BitImage::Word* target, const BitImage::Word* source, int words,
   }
 }
 
+/// Widens what is set in `row` from `half` pixels on each side of what was there to `wanted`;
+/// `before` is room to work in.
+void widen(std::vector<BitImage::Word>& row, std::vector<BitImage::Word>& before, int half,
+           int wanted) {
+  const int words = static_cast<int>(row.size());
+  while (half < wanted) {
+    const int step = std::min(wanted - half, 2 * half + 1);  // so that no gap is left
+    before = row;
+    or_shifted(row.data(), before.data(), words, step);
+    or_shifted(row.data(), before.data(), words, -step);
+    half += step;
+  }
+}
+
 /// The bits of a row's last word that lie in the image.
 BitImage::Word last_word_mask(const BitImage& image) {
   const int used = image.width() % 64;
@@ -27,6 +42,24 @@ BitImage::Word last_word_mask(const BitImage& image) {
 }
 
 }  // namespace
+
+PixelBox bounding_box(const BitImage& image) {
+  std::vector<BitImage::Word> columns(static_cast<std::size_t>(image.words_per_row()), 0);
+  PixelBox box{0, 0, image.height(), 0};
+  for (int y = 0; y < image.height(); ++y) {
+    BitImage::Word any = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      any |= image.row(y)[i], columns[i] |= image.row(y)[i];
+    if (any != 0) box.top = std::min(box.top, y), box.bottom = y + 1;
+  }
+  if (box.bottom == 0) return {};
+  const auto is_set = [](BitImage::Word any) { return any != 0; };
+  const auto first = std::find_if(columns.begin(), columns.end(), is_set);
+  const auto last = std::find_if(columns.rbegin(), columns.rend(), is_set);
+  box.left = static_cast<int>(64 * (first - columns.begin())) + std::countr_zero(*first);
+  box.right = static_cast<int>(64 * (columns.rend() - last)) - std::countl_zero(*last);
+  return box;
+}
 
 std::size_t count(const BitImage& image) {
   std::size_t sum = 0;
@@ -46,18 +79,23 @@ BitImage complement(const BitImage& image) {
 
 BitImage dilate(const BitImage& image, double radius) {
   BitImage result(image.width(), image.height());
-  const int reach = static_cast<int>(radius);
-  for (int dy = -reach; dy <= reach; ++dy) {
-    const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy));
-    for (int y = 0; y < image.height(); ++y) {
-      const int from = y + dy;
-      if (from < 0 || from >= image.height()) continue;
-      for (int dx = -half; dx <= half; ++dx)
-        or_shifted(result.row(y), image.row(from), image.words_per_row(), dx);
-      if (image.words_per_row() > 0)
-        result.row(y)[image.words_per_row() - 1] &= last_word_mask(image);
+  const int words = image.words_per_row(), reach = static_cast<int>(radius);
+  std::vector<BitImage::Word> row(static_cast<std::size_t>(words)), before;
+  for (int y = 0; y < image.height(); ++y) {
+    std::copy_n(image.row(y), words, row.begin());
+    if (std::all_of(row.begin(), row.end(), [](BitImage::Word w) { return w == 0; })) continue;
+    int half = 0;  // the row is widened by so much on each side
+    for (int dy = reach; dy >= 0; --dy) {
+      const int wanted = static_cast<int>(std::sqrt(radius * radius - dy * dy));
+      widen(row, before, half, wanted);
+      half = wanted;
+      for (const int to : {y - dy, y + dy})
+        if (to >= 0 && to < image.height())
+          for (int i = 0; i < words; ++i) result.row(to)[i] |= row[static_cast<std::size_t>(i)];
     }
   }
+  for (int y = 0; y < image.height() && words > 0; ++y)
+    result.row(y)[words - 1] &= last_word_mask(image);
   return result;
 }
 

@@ -119,3 +119,21 @@ TEST_CASE("dilate: nothing, next to nothing, and everything") {
   CHECK(count(dilate(corner, 1)) == 3);
   CHECK(count(dilate(corner, 1.5)) == 4);
 }
+
+TEST_CASE("bounding box: the least that holds all set pixels") {
+  CHECK(bounding_box(BitImage()) == PixelBox{});
+  CHECK(bounding_box(BitImage(70, 9)) == PixelBox{});
+  Random random(4);
+  for (const int width : kWidths)
+    for (const std::uint32_t one_in : {2u, 40u, 2000u}) {
+      const BitImage image = random_image(random, width, 30, one_in);
+      PixelBox box{width, 0, 30, 0};
+      for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < width; ++x) {
+          if (!image(x, y)) continue;
+          box = {std::min(box.left, x), std::max(box.right, x + 1), std::min(box.top, y), y + 1};
+        }
+      INFO("width " << width << ", one in " << one_in);
+      CHECK(bounding_box(image) == (count(image) == 0 ? PixelBox{} : box));
+    }
+}

@@ -73,6 +73,16 @@ class BitImage {
   std::vector<Word> bits_;
 };
 
+/// Columns [left, right) and rows [top, bottom) of an image.
+struct PixelBox {
+  int left = 0, right = 0, top = 0, bottom = 0;
+
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+/// The least box that holds all set pixels; empty when there are none.
+PixelBox bounding_box(const BitImage& image);
+
 /// Number of set pixels.
 std::size_t count(const BitImage& image);
 

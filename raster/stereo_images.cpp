@@ -1,5 +1,7 @@
 #include <marrow/stereo_images.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "fill_detail.hpp"
@@ -43,8 +45,9 @@ std::pair<double, double> major_axis(const PlaneMoments& m) {
 PlaneMoments pixel_moments(const BitImage& mask) {
   PlaneMoments m;
   for (int y = 0; y < mask.height(); ++y)
-    for (int x = 0; x < mask.width(); ++x)
-      if (mask(x, y)) m.add(x, y);
+    for (int i = 0; i < mask.words_per_row(); ++i)
+      for (auto word = mask.row(y)[i]; word != 0; word &= word - 1)
+        m.add(64 * i + std::countr_zero(word), y);
   return m;
 }
 
@@ -54,11 +57,19 @@ PlaneMoments point_moments(const SnappedPoints& points) {
   return m;
 }
 
+/// The silhouette's box and the pixels next to it.
+PixelBox box_around(const BitImage& silhouette) {
+  const PixelBox box = bounding_box(silhouette);
+  return {std::max(box.left - 1, 0), std::min(box.right + 1, silhouette.width()),
+          std::max(box.top - 1, 0), std::min(box.bottom + 1, silhouette.height())};
+}
+
 ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
   ViewImage image{plane, draw_silhouette(shape, plane, resolution), {}, {}, {}};
   image.distance = distance_transform(image.silhouette);
   image.axis = medial_axis(image.distance);
-  image.to_axis = distance_transform(complement(to_image(image.axis, resolution)));
+  const BitImage off_axis = complement(to_image(image.axis, resolution));
+  image.to_axis = distance_transform(off_axis, box_around(image.silhouette));
   return image;
 }
 

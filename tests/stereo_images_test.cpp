@@ -49,9 +49,13 @@ void check_image(const ViewImage& image, const NormalizedShape& shape, const Vie
   CHECK(image.distance == distance_transform(image.silhouette));
   CHECK(image.axis == medial_axis(image.distance));
   REQUIRE(image.axis.pixels().size() > 0);
-  const BitImage axis = to_image(image.axis, resolution);
+  const DistanceMap to_axis = distance_transform(complement(to_image(image.axis, resolution)));
+  const BitImage near = dilate(image.silhouette, 1.5);
+  int wrong = 0;
   for (int y = 0; y < resolution; ++y)
-    for (int x = 0; x < resolution; ++x) CHECK((image.to_axis(x, y) == 0) == axis(x, y));
+    for (int x = 0; x < resolution; ++x)
+      wrong += near(x, y) && image.to_axis(x, y) != to_axis(x, y);
+  CHECK(wrong == 0);
 }
 
 }  // namespace

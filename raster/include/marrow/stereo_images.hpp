@@ -12,7 +12,8 @@ struct ViewImage {
   BitImage silhouette;
   DistanceMap distance;
   MedialAxis axis;
-  DistanceMap to_axis;  ///< at every pixel, distance to the nearest pixel of the medial axis
+  /// Distances to the nearest pixel of the medial axis, in the silhouette and next to it.
+  BoxedDistanceMap to_axis;
 };
 
 /// Two images that share their rows.

@@ -2,126 +2,145 @@
 // "Ridge points in Euclidean distance maps": pixels go in the order of their distance, centres of
 // maximal discs stay.
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <vector>
 
 #include "thinning_detail.hpp"
 
-namespace marrow {
+// No vectors here: the better instruction sets also have better ones for single bits.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "thinning.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace marrow::HWY_NAMESPACE {
 
-/// Simple points for every neighbourhood; bit k is neighbour k, counter-clockwise from the right.
-constexpr std::array<bool, 256> simple_table() {
-  std::array<bool, 256> table{};
-  for (unsigned code = 0; code < 256; ++code) {
-    const auto set = [code](unsigned k) { return (code >> (k % 8) & 1) != 0; };
-    int crossings = 0;  // 8-connected pieces that touch the pixel across a gap of the background
-    for (unsigned k = 0; k < 8; k += 2)
-      if (!set(k) && (set(k + 1) || set(k + 2))) ++crossings;
-    table[code] = crossings == 1;
-  }
+using Pixel = ShrinkingSet::Pixel;
+
+constexpr unsigned kCentre = 1u << 4;
+/// Bits of the neighbours in what is around a pixel, counter-clockwise from the right.
+constexpr std::array<unsigned, 8> kRing{5, 2, 1, 0, 3, 6, 7, 8};
+
+/// What is around a pixel as eight bits; bit k is neighbour k of the ring.
+constexpr unsigned ring_of(unsigned around) {
+  unsigned ring = 0;
+  for (unsigned k = 0; k < 8; ++k) ring |= (around >> kRing[k] & 1) << k;
+  return ring;
+}
+
+constexpr auto kRingOf = [] {
+  std::array<std::uint8_t, 512> table{};
+  for (unsigned around = 0; around < table.size(); ++around)
+    table[around] = static_cast<std::uint8_t>(ring_of(around));
   return table;
-}
+}();
 
-constexpr auto kSimple = simple_table();
-
-/// Offsets of the eight neighbours in a row-major image, counter-clockwise from the right.
-std::array<std::ptrdiff_t, 8> neighbour_offsets(int width) {
-  const std::ptrdiff_t w = width;
-  return {1, 1 - w, -w, -1 - w, -1, w - 1, w, w + 1};
-}
-
-unsigned neighbourhood(const std::uint8_t* p, const std::array<std::ptrdiff_t, 8>& offset) {
-  unsigned code = 0;
-  for (unsigned k = 0; k < 8; ++k) code |= static_cast<unsigned>(p[offset[k]]) << k;
-  return code;
+/// A pixel that can go without a change of topology: one 8-connected piece around it touches it
+/// across a gap of the background.
+constexpr bool is_simple(unsigned ring) {
+  const auto set = [ring](unsigned k) { return (ring >> (k % 8) & 1) != 0; };
+  int crossings = 0;
+  for (unsigned k = 0; k < 8; k += 2)
+    if (!set(k) && (set(k + 1) || set(k + 2))) ++crossings;
+  return crossings == 1;
 }
 
 /// An end as wide as two pixels: two neighbours, side by side.
-bool is_wide_end(unsigned code) {
-  const unsigned turned = (code << 1 | code >> 7) & 0xff;
-  return std::popcount(code) == 2 && (code & turned) != 0;
+constexpr bool is_wide_end(unsigned ring) {
+  const unsigned turned = (ring << 1 | ring >> 7) & 0xff;
+  return std::popcount(ring) == 2 && (ring & turned) != 0;
 }
 
-/// The least radius that gives the same disc: distances 3 and 6 stand for 1 and 5.
-int label(ChamferDistance d) { return d == 3 ? 1 : d == 6 ? 5 : d; }
+constexpr unsigned kSimple = 1, kNoEnd = 2, kNoWideEnd = 4;
 
-bool is_centre_of_maximal_disc(const ChamferDistance* d,
-                               const std::array<std::ptrdiff_t, 8>& offset) {
-  for (unsigned k = 0; k < 8; ++k)
-    if (label(d[offset[k]]) >= label(*d) + (k % 2 == 0 ? 3 : 4)) return false;
-  return true;
-}
+/// Properties of a pixel by what is around it.
+constexpr auto kProperties = [] {
+  std::array<std::uint8_t, 512> table{};
+  for (unsigned around = 0; around < table.size(); ++around) {
+    const unsigned ring = kRingOf[around];
+    table[around] = static_cast<std::uint8_t>((is_simple(ring) ? kSimple : 0u) |
+                                              (std::popcount(ring) > 1 ? kNoEnd : 0u) |
+                                              (is_wide_end(ring) ? 0u : kNoWideEnd));
+  }
+  return table;
+}();
 
-/// Pixels of the support of `map` by distance, then by index.
-std::vector<std::uint32_t> by_distance(const DistanceMap& map) {
-  const auto values = map.pixels();
-  ChamferDistance greatest = 0;
-  for (const auto d : values) greatest = std::max(greatest, d);
-  std::vector<std::uint32_t> start(greatest + 2u, 0);
-  for (const auto d : values) ++start[d + 1u];
-  start[1] = 0;  // the background is left out
+enum class Which { Loose, All };
+
+/// Pixels by distance, then by number.
+template <Which kWhich>
+std::vector<Pixel> by_distance(const ShrinkingSet& set) {
+  const auto bits_of_word = [&](std::size_t i) {
+    return kWhich == Which::Loose ? set.loose_in_word(i) : set.in_word(i);
+  };
+  const auto pixel = [](std::size_t i, std::uint32_t bits) {
+    return static_cast<Pixel>(32 * i) + static_cast<Pixel>(std::countr_zero(bits));
+  };
+  std::vector<std::uint32_t> start(set.greatest_distance() + 2u, 0);
+  for (std::size_t i = 0; i < set.word_count(); ++i)
+    for (auto bits = bits_of_word(i); bits != 0; bits &= bits - 1)
+      ++start[set.distance(pixel(i, bits)) + 1u];
   for (std::size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
-  std::vector<std::uint32_t> order(start.back());
-  for (std::uint32_t i = 0; i < values.size(); ++i)
-    if (values[i] != 0) order[start[values[i]]++] = i;
+  std::vector<Pixel> order(start.back());
+  for (std::size_t i = 0; i < set.word_count(); ++i)
+    for (auto bits = bits_of_word(i); bits != 0; bits &= bits - 1) {
+      const Pixel p = pixel(i, bits);
+      order[start[set.distance(p)]++] = p;
+    }
   return order;
 }
 
-}  // namespace
-
-PixelSet thin_to_medial_axis(const DistanceMap& map) {
-  const int width = map.width(), height = map.height();
-  PixelSet set(width, height, 0);
-  const auto offset = neighbour_offsets(width);
-  const auto distance = map.pixels();
-  auto pixels = set.pixels();
-  enum : std::uint8_t { kPlain = 0, kAnchor = 1 };
-  std::vector<std::uint8_t> kind(pixels.size(), kPlain);
-  const auto order = by_distance(map);
-  for (const auto i : order) {
-    pixels[i] = 1;
-    kind[i] = is_centre_of_maximal_disc(&distance[i], offset) ? kAnchor : kPlain;
-  }
-
-  std::vector<std::uint32_t> again;
-  const auto remove_if_simple = [&](std::uint32_t i) {
-    if (!pixels[i] || kind[i] == kAnchor || !kSimple[neighbourhood(&pixels[i], offset)]) return;
-    pixels[i] = 0;
-    // What was kept before may be simple now; what comes later has its turn anyway.
-    for (const auto o : offset) {
-      const auto n = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + o);
-      if (pixels[n] && kind[n] == kPlain && distance[n] <= distance[i]) again.push_back(n);
+/// Removes `p` if it is loose and simple, and then what was kept before and is simple now; what
+/// comes later has its turn anyway. `waiting` is empty before and after.
+HWY_INLINE void peel(ShrinkingSet& set, Pixel p, std::vector<Pixel>& waiting) {
+  for (;;) {
+    const std::uint64_t around = set.around(p);
+    const auto loose = static_cast<unsigned>(around >> 32);
+    unsigned again = 0;
+    if ((loose / kCentre & kProperties[around & 0x1ff] & kSimple) != 0) {
+      set.remove(p);
+      again = loose & set.not_deeper(p);
     }
-  };
-  for (const auto i : order) {
-    remove_if_simple(i);
-    while (!again.empty()) {
-      const auto n = again.back();
-      again.pop_back();
-      remove_if_simple(n);
+    if (again != 0 && (again & (again - 1)) == 0) {  // mostly one
+      p = set.neighbour(p, static_cast<unsigned>(std::countr_zero(again)));
+      continue;
     }
+    for (unsigned ring = kRingOf[again]; ring != 0; ring &= ring - 1)
+      waiting.push_back(set.neighbour(p, kRing[static_cast<std::size_t>(std::countr_zero(ring))]));
+    if (waiting.empty()) return;
+    p = waiting.back();
+    waiting.pop_back();
   }
-
-  // Anchors lie two wide on even-width parts.
-  thin_to_unit_width(set, order);
-  return set;
 }
 
-void thin_to_unit_width(PixelSet& set, std::span<const std::uint32_t> order) {
-  const auto offset = neighbour_offsets(set.width());
-  auto pixels = set.pixels();
+void to_unit_width(ShrinkingSet& set, std::span<const Pixel> order) {
   // Wide ends come last, or from them on a part two wide would be eaten up.
-  for (const bool wide_ends_too : {false, true})
-    for (const auto i : order) {
-      if (!pixels[i]) continue;
-      const unsigned code = neighbourhood(&pixels[i], offset);
-      if (!kSimple[code] || std::popcount(code) <= 1) continue;
-      if (wide_ends_too || !is_wide_end(code)) pixels[i] = 0;
-    }
+  for (const unsigned wanted : {kSimple | kNoEnd | kNoWideEnd, kSimple | kNoEnd})
+    for (const auto p : order)
+      if (set.contains(p) && (kProperties[set.around(p) & 0x1ff] & wanted) == wanted) set.remove(p);
+}
+
+void to_medial_axis(ShrinkingSet& set) {
+  std::vector<Pixel> waiting;
+  for (const auto p : by_distance<Which::Loose>(set))
+    if (set.contains(p)) peel(set, p, waiting);
+  // Centres lie two wide on even-width parts.
+  to_unit_width(set, by_distance<Which::All>(set));
+}
+
+}  // namespace marrow::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace marrow {
+
+HWY_EXPORT(to_medial_axis);
+HWY_EXPORT(to_unit_width);
+
+void thin_to_medial_axis(ShrinkingSet& set) { HWY_DYNAMIC_DISPATCH(to_medial_axis)(set); }
+
+void thin_to_unit_width(ShrinkingSet& set, std::span<const ShrinkingSet::Pixel> order) {
+  HWY_DYNAMIC_DISPATCH(to_unit_width)(set, order);
 }
 
 }  // namespace marrow
+#endif

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "plain_medial_axis.hpp"
 #include "random.hpp"
+#include "scale.hpp"
+#include "simd_targets.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -312,4 +315,30 @@ TEST_CASE("medial axis: does not depend on where in the image the silhouette is"
   const BitImage inner = draw(100, 90, [&](int x, int y) { return is_set(blob, x - 20, y - 10); });
   const Axis a = axis_of(blob), b = axis_of(inner);
   CHECK(b.image == draw(100, 90, [&](int x, int y) { return is_set(a.image, x - 20, y - 10); }));
+}
+
+TEST_CASE("medial axis: the same as pixel by pixel, on every instruction set") {
+  on_each_simd_target([] {
+    Random random(5);
+    for (int i = 0; i < scaled(200, 60); ++i) {
+      const BitImage silhouette = random_blob(random, 20 + i % 110, i % 9 - 4);
+      for (const double prune : {0.0, 3.0, 9.0}) {
+        INFO("blob " << i << ", prune " << prune);
+        const Axis a = axis_of(silhouette, prune);
+        CHECK(a.image == PlainMedialAxis(a.map, prune).image());
+      }
+    }
+  });
+}
+
+TEST_CASE("medial axis: the same as pixel by pixel where all is border") {
+  Random random(6);
+  for (int i = 0; i < scaled(300, 100); ++i) {
+    const std::uint32_t one_in = 2 + random.below(9);
+    const BitImage silhouette = draw(1 + static_cast<int>(random.below(130)), 40,
+                                     [&](int, int) { return random.below(one_in) != 0; });
+    INFO("noise " << i << ", a hole in " << one_in);
+    const Axis a = axis_of(silhouette);
+    CHECK(a.image == PlainMedialAxis(a.map, 3).image());
+  }
 }

@@ -1,0 +1,31 @@
+"""How far a long run is."""
+
+import os
+import sys
+import time
+
+
+class Progress:
+    """A bar on a terminal, a line for every step elsewhere; on standard error."""
+
+    def __init__(self, steps):
+        self.steps, self.done, self.start = steps, 0, time.monotonic()
+        self.bar = sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+
+    def step(self, words):
+        """The next step begins."""
+        seconds = time.monotonic() - self.start
+        if self.bar:
+            share = self.done / max(self.steps, 1)
+            filled = "#" * round(24 * share)
+            text = f"[{filled:24}] {self.done}/{self.steps} {seconds:4.0f} s  {words}"
+            sys.stderr.write("\r\x1b[K" + text[:os.get_terminal_size(2).columns - 1])
+        else:
+            sys.stderr.write(f"== {words} ({self.done + 1} of {self.steps}, {seconds:.0f} s)\n")
+        sys.stderr.flush()
+        self.done += 1
+
+    def finish(self):
+        if self.bar:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()

@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -56,7 +57,8 @@ void measure(benchmark::State& state, const Shape& shape, Work work) {
     const Clocks start = read_clocks();
     work();
     const Clocks spent = read_clocks() - start;
-    state.SetIterationTime(spent.user);
+    // Not zero, or Google Benchmark would never have enough of a stage that has nothing to do.
+    state.SetIterationTime(std::max(spent.user, 1e-6));
     sum += spent;
   }
   const auto each = benchmark::Counter::kAvgIterations;
@@ -131,7 +133,8 @@ std::string machine() {
 void describe(const ExtractOptions& options) {
   benchmark::AddCustomContext("machine", machine());
   benchmark::AddCustomContext("compiler", MARROW_BENCH_COMPILER);
-  benchmark::AddCustomContext("image", std::to_string(options.image_resolution));
+  const int image = options.image_resolution;
+  benchmark::AddCustomContext("image", image > 0 ? std::to_string(image) : "as the shape needs");
   benchmark::AddCustomContext("grid", std::to_string(options.grid_resolution));
   benchmark::AddCustomContext("threads", std::to_string(options.max_threads));
 }

@@ -24,7 +24,8 @@ void keep(const Value& value) {
 }
 
 double voxel_of(const Workload& w) { return w.trace.votes.grid.size; }
-double pixel_of(const Workload& w) { return PixelGrid{w.options.image_resolution}.pixel(); }
+int image_of(const Workload& w) { return w.trace.resolution.image; }
+double pixel_of(const Workload& w) { return PixelGrid{image_of(w)}.pixel(); }
 
 template <class Function>
 void for_each_image(const Workload& w, Function function) {
@@ -34,13 +35,29 @@ void for_each_image(const Workload& w, Function function) {
 // 4.1
 void run_normalise(const Workload& w) { keep(apply(normalize(w.shape), w.shape)); }
 
+void draw(const Workload& w, const Vec3& direction, int image) {
+  keep(draw_stereo_images(w.normalized, stereo_pair(w.normalized, direction), image));
+}
+
+/// The side of images that are only drawn to learn that finer ones are needed; 0: there are none.
+int first_look_of(const Workload& w) {
+  const bool finer = w.options.image_resolution == 0 && image_of(w) > Resolution{}.image;
+  return finer ? Resolution{}.image : 0;
+}
+
+void run_first_look(const Workload& w) {
+  const int first = first_look_of(w);
+  if (first == 0) return;
+  for (const Vec3& direction : hemisphere_directions()) draw(w, direction, first);
+}
+
 void run_frames(const Workload& w) {
   for (const Vec3& direction : hemisphere_directions()) keep(stereo_pair(w.normalized, direction));
 }
 
 void run_silhouettes(const Workload& w) {
   for_each_image(w, [&](const ViewImage& image) {
-    keep(draw_silhouette(w.normalized, image.plane, w.options.image_resolution));
+    keep(draw_silhouette(w.normalized, image.plane, image_of(w)));
   });
 }
 
@@ -54,14 +71,14 @@ void run_medial_axes(const Workload& w) {
 
 void run_distances_to_axes(const Workload& w) {
   for_each_image(w, [&](const ViewImage& image) {
-    keep(distance_transform(complement(to_image(image.axis, w.options.image_resolution))));
+    keep(distance_transform(complement(to_image(image.axis, image_of(w)))));
   });
 }
 
 // 4.2
 void run_matching(const Workload& w) {
   VoteAccumulator accumulator(
-      choose_voxel_grid(w.normalized, w.trace.views, w.options.grid_resolution));
+      make_voxel_grid(w.normalized.low, w.normalized.high, w.trace.resolution.grid));
   for (const StereoImages& view : w.trace.views) cast_votes(view, accumulator);
   keep(std::move(accumulator).finish());
 }
@@ -116,6 +133,7 @@ void run_smoothing(const Workload& w) {
 
 constexpr std::array kStages{
     Stage{"normalise", run_normalise},
+    Stage{"first-look", run_first_look},
     Stage{"frames", run_frames},
     Stage{"silhouettes", run_silhouettes},
     Stage{"distances", run_distances},
@@ -145,8 +163,9 @@ Workload prepare(Shape shape, const ExtractOptions& options) {
 std::span<const Stage> stages() { return kStages; }
 
 void draw_view_pair(const Workload& w, std::size_t view) {
-  const StereoPair pair = stereo_pair(w.normalized, hemisphere_directions()[view]);
-  keep(draw_stereo_images(w.normalized, pair, w.options.image_resolution));
+  const Vec3& direction = hemisphere_directions()[view];
+  if (const int first = first_look_of(w)) draw(w, direction, first);
+  draw(w, direction, image_of(w));
 }
 
 }  // namespace marrow

@@ -18,10 +18,14 @@ done
 say "shellcheck"
 git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source-path=SCRIPTDIR
 
+say "pyflakes"
+git ls-files -z bench | xargs -0 grep -lZ -E '^(#!/usr/bin/python3|""")' | xargs -0 /usr/bin/python3 -m pyflakes
+
 say "clang-tidy"
 quietly build/release.configure.log cmake --preset release
 # Warnings are the compiler's matter: clang finds others than the GCC that the flags are for.
-git ls-files -z '*.cpp' |
+# bench/peers is a project of its own.
+git ls-files -z '*.cpp' ':!bench/peers' |
   xargs -0 -n 1 -P "$jobs" clang-tidy -p build/release --quiet --extra-arg=-Wno-error \
     2>build/clang-tidy.log ||
   die "clang-tidy found what is above (to repeat it on one file: clang-tidy -p build/release FILE)"

@@ -4,6 +4,7 @@
 #
 #   scripts/setup.sh           what building and testing needs
 #   scripts/setup.sh --dev     also what CI checks the sources with
+#   scripts/setup.sh --bench   also what bench/compare measures Marrow against
 #
 # MARROW_SETUP=skip makes it do nothing, for machines that have the libraries from elsewhere.
 
@@ -20,7 +21,10 @@ packages=(
   libpng-dev            # PNG
   catch2                # the tests
 )
-[ "${1-}" != --dev ] || packages+=(clang-format clang-tidy shellcheck)
+case "${1-}" in
+  --dev) packages+=(clang-format clang-tidy shellcheck python3-pyflakes valgrind libbenchmark-dev) ;;
+  --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
+esac
 
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

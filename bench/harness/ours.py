@@ -12,7 +12,7 @@ class Figure:
     """Medians of one benchmark, in milliseconds."""
     user: float
     wall: float
-    runs: int
+    faces: int
     inside: dict  # wall clock of the stages within, by their names
 
 
@@ -42,7 +42,7 @@ def _figure(samples):
         return statistics.median(sample[key] for sample in samples)
 
     inside = {key[3:]: median(key) for key in samples[0] if key.startswith("in ")}
-    return Figure(median("real_time"), median("wall_ms"), len(samples), inside)
+    return Figure(median("real_time"), median("wall_ms"), int(samples[0]["faces"]), inside)
 
 
 def whole(subject, runs=5, flags=()):

@@ -40,9 +40,9 @@ def make(name, resolution=1.0):
     return Subject(stem, str(shape), expected)
 
 
-def from_set(folder, only):
+def from_set(folder, only, group="real"):
     """Shapes of FOLDER/manifest.json, by name (without folder and extension), in the order of
-    `only`; without it all that are real."""
+    `only`; without it all in its folder `group`."""
     manifest = Path(folder) / "manifest.json"
     if not manifest.is_file():
         machine.die(f"{manifest} is not there; --set wants a folder with a manifest.json")
@@ -50,7 +50,7 @@ def from_set(folder, only):
     for item in json.loads(manifest.read_text(encoding="utf-8"))["items"]:
         path = Path(folder) / item["file"]
         known.setdefault(path.stem, Subject(path.stem, str(path), item.get("expected", {})))
-    names = only or [name for name, s in known.items() if Path(s.path).parent.name == "real"]
+    names = only or [name for name, s in known.items() if Path(s.path).parent.name == group]
     for name in names:
         if name not in known:
             machine.die(f"{manifest} has no shape {name}")

@@ -19,7 +19,9 @@ say "shellcheck"
 git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source-path=SCRIPTDIR
 
 say "pyflakes"
-git ls-files -z bench | xargs -0 grep -lZ -E '^(#!/usr/bin/python3|""")' | xargs -0 /usr/bin/python3 -m pyflakes
+git ls-files -z bench tests |
+  xargs -0 grep -lZ -E '^(#!/usr/bin/python3|""")' |
+  xargs -0 /usr/bin/python3 -m pyflakes
 
 say "clang-tidy"
 quietly build/release.configure.log cmake --preset release

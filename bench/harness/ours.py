@@ -17,8 +17,8 @@ class Figure:
 
 
 def benchmarks(shapes, flags=(), pattern="", runs=5, seconds=0.1):
-    """Runs marrow_benchmarks; {stage: {shape: Figure}} in the order of the pipeline. `shapes` is its
-    flag, --make=... or --shapes=..."""
+    """Runs marrow_benchmarks; {stage: {shape: Figure}} in the order of the pipeline. `shapes` is
+    its flag, --make=... or --shapes=..."""
     command = [machine.program("marrow_benchmarks"), shapes, *flags, "--benchmark_format=json",
                f"--benchmark_repetitions={runs}", f"--benchmark_min_time={seconds}"]
     if pattern:
@@ -45,9 +45,10 @@ def _figure(samples):
     return Figure(median("real_time"), median("wall_ms"), int(samples[0]["faces"]), inside)
 
 
-def whole(subject, runs=5, flags=()):
+def whole(subject, runs=5, flags=(), seconds=0.1):
     """One shape: the stages and the whole in user milliseconds, counts, peak memory."""
-    found = benchmarks(f"--shapes={subject.path}", ["--threads=1", *flags], runs=runs)
+    found = benchmarks(f"--shapes={subject.path}", ["--threads=1", *flags], runs=runs,
+                       seconds=seconds)
     stages = {stage: next(iter(figures.values())).user for stage, figures in found.items()}
     out = machine.work("skeletons", f"{subject.name}.marrow.obj")
     options = [word for flag in flags for word in flag.split("=")]

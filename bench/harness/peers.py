@@ -41,6 +41,7 @@ def available():
     """Those that can run here, and words about the others."""
     found, missing = [], []
     build = machine.ROOT / "build" / "peers"
+    sys.stderr.write("== building the peers (a minute the first time)\n")
     if _built(SOURCES, build):
         found.append(Peer("cgal", "CGAL mean curvature flow", [str(build / "cgal_skeleton")]))
     else:

@@ -34,8 +34,8 @@ def make(name, resolution=1.0):
     stem = name if resolution == 1 else f"{name}_{resolution:g}"
     shape = machine.work("shapes", f"{stem}.ply")
     truth = machine.work("shapes", f"{stem}.gt.json")
-    subprocess.run([machine.program("marrow"), "make", name, "-o", str(shape), "--truth", str(truth),
-                    "--resolution", str(resolution)], check=True)
+    subprocess.run([machine.program("marrow"), "make", name, "-o", str(shape),
+                    "--truth", str(truth), "--resolution", str(resolution)], check=True)
     expected = json.loads(truth.read_text(encoding="utf-8"))["expected"]
     return Subject(stem, str(shape), expected)
 

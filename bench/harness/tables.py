@@ -53,11 +53,12 @@ def write(stem, rows, notes, data):
 
 
 def put(place, page):
-    """Replaces what stands between <!-- KEY --> and <!-- end of KEY --> in FILE; place: FILE#KEY."""
+    """Replaces what stands between <!-- KEY --> and <!-- end of KEY -->; place is FILE#KEY."""
     path, _, key = place.partition("#")
-    pattern = re.compile(rf"(<!-- {re.escape(key)} -->\n).*?(<!-- end of {re.escape(key)} -->)", re.S)
+    begin, end = f"<!-- {re.escape(key)} -->\n", f"<!-- end of {re.escape(key)} -->"
+    pattern = re.compile(f"({begin}).*?({end})", re.S)
     before = Path(path).read_text(encoding="utf-8")
-    after, count = pattern.subn(lambda m: m.group(1) + "\n" + page + "\n" + m.group(2), before)
+    after, count = pattern.subn(lambda m: f"{m.group(1)}\n{page}\n{m.group(2)}", before)
     if not key or count != 1:
         machine.die(f"{path} has no place <!-- {key} --> ... <!-- end of {key} -->")
     Path(path).write_text(after, encoding="utf-8")

@@ -9,7 +9,6 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/extract_mean_curvature_flow_skeleton.h>
-
 #include <sys/resource.h>
 
 #include <cstdio>

@@ -51,8 +51,9 @@ def _first_line(*command):
 def _compiler():
     cache = (_folders["build"] / "CMakeCache.txt").read_text(encoding="utf-8")
     path = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.M)
-    kind = re.search(r"^CMAKE_BUILD_TYPE:\w+=(.*)$", cache, re.M).group(1)
-    flags = re.search(rf"^CMAKE_CXX_FLAGS_{kind.upper()}:\w+=(.*)$", cache, re.M)
+    kind = re.search(r"^CMAKE_BUILD_TYPE:\w+=(.+)$", cache, re.M)
+    kind = kind.group(1).upper() if kind else "RELEASE"  # what CMakeLists.txt takes then
+    flags = re.search(rf"^CMAKE_CXX_FLAGS_{kind}:\w+=(.*)$", cache, re.M)
     return f"{_first_line(path.group(1), '--version')}, {flags.group(1)}"
 
 

@@ -57,6 +57,15 @@ def _compiler():
     return f"{_first_line(path.group(1), '--version')}, {flags.group(1)}"
 
 
+def _busy():
+    """Other work disturbs the clock, and caches too."""
+    load, cores = os.getloadavg()[0], os.cpu_count()
+    return f"busy with other work, load {load:.1f} on {cores} cores" if load > cores else ""
+
+
+_busy_at_start = _busy()  # later the measured programs are part of the load
+
+
 def describe():
     """Where the figures come from."""
     cpus = re.findall(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(encoding="utf-8"),
@@ -68,9 +77,11 @@ def describe():
         "system": system.group(1) if system else "unknown",
         "compiler": _compiler(),
         "commit": _first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
+        "state": _busy_at_start,
     }
 
 
 def describe_text():
     told = describe()
-    return f"{told['machine']}; {told['system']}; {told['compiler']}; commit {told['commit']}"
+    words = f"{told['machine']}; {told['system']}; {told['compiler']}; commit {told['commit']}"
+    return f"{words}; {told['state']}" if told["state"] else words

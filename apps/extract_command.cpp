@@ -18,6 +18,7 @@ namespace {
 
 struct ExtractRequest {
   std::string shape, from, out, to, json, trace, simd;
+  std::string silhouettes = "scanline";
   int image = ExtractOptions{}.image_resolution;
   int grid = ExtractOptions{}.grid_resolution;
   int threads = 0;
@@ -53,6 +54,7 @@ Statistics describe(const ExtractRequest& request, const Statistics& input,
   s["input"] = input;
   s["options"]["image"] = request.image;
   s["options"]["grid"] = request.grid;
+  s["options"]["silhouettes"] = request.silhouettes;
   s["skeleton"] = statistics_of(skeleton);
   s["run"]["threads"] = request.threads;
   double total = 0;
@@ -79,6 +81,7 @@ Extraction run_stages(const ExtractRequest& request, const InputFile& input, con
   ExtractOptions options;
   options.image_resolution = request.image;
   options.grid_resolution = request.grid;
+  if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
   options.max_threads = request.threads;
   options.on_stage = [&](std::string_view stage, double done) {
     if (done < 1) progress.begin(stage, done);
@@ -166,6 +169,11 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
                   "Voxels along the longest side of the shape; thin parts get up to 192")
       ->check(CLI::Range(16, 256).description(""))
       ->type_name("16..256")
+      ->capture_default_str();
+  verb.add_option("--silhouettes", request.silhouettes,
+                  "Fill silhouettes in exact integers, or by rays (border pixels differ)")
+      ->check(CLI::IsMember({"scanline", "embree"}).description(""))
+      ->type_name("scanline|embree")
       ->capture_default_str();
   verb.add_option("--threads", request.threads,
                   "Threads at most, 0 for all; the result does not depend on it")

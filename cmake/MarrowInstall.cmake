@@ -9,6 +9,7 @@ endforeach()
 install(TARGETS marrow_all EXPORT marrowTargets)
 install(EXPORT marrowTargets NAMESPACE marrow:: DESTINATION ${marrow_cmake_dir})
 
+marrow_find_embree()   # for its version
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/marrowConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/marrowConfig.cmake
   INSTALL_DESTINATION ${marrow_cmake_dir})

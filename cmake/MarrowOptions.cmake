@@ -21,6 +21,14 @@ if(MARROW_SANITIZE)
   target_link_options(marrow_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# Embree 3 or 4, target `embree`, for the folder that asks: both have the same name for the target.
+macro(marrow_find_embree)
+  find_package(embree 4 QUIET)
+  if(NOT embree_FOUND)
+    find_package(embree 3 REQUIRED)
+  endif()
+endmacro()
+
 # FILE_SET came with CMake 3.23; Ubuntu 22.04 has 3.22, where the headers are a folder.
 set(marrow_has_file_sets OFF)
 if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.23 AND NOT MARROW_WITHOUT_FILE_SETS)

@@ -11,10 +11,18 @@ constexpr double kSmallHole = 0.02;  // inscribed radius, in sides of the image
 
 }  // namespace
 
-BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
+BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
+                         const SurfaceScene* scene) {
   const SnappedPoints points = snap(shape, plane, resolution);
-  auto [mask, large] = fill(points, shape.triangles, facing_of(shape), resolution);
-  trace_thin(mask, points, shape.triangles, large, resolution);
+  BitImage mask;
+  if (scene != nullptr) {
+    mask = fill_by_rays(*scene, plane, resolution);
+    trace_thin_triangles(mask, points, shape.triangles, resolution);
+  } else {
+    TriangleFill filled = fill(points, shape.triangles, facing_of(shape), resolution);
+    mask = std::move(filled.mask);
+    trace_thin(mask, points, shape.triangles, filled.large, resolution);
+  }
   if (!shape.closed) fill_small_holes(mask, kSmallHole * resolution);
   return mask;
 }

@@ -64,8 +64,9 @@ PixelBox box_around(const BitImage& silhouette) {
           std::max(box.top - 1, 0), std::min(box.bottom + 1, silhouette.height())};
 }
 
-ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution) {
-  ViewImage image{plane, draw_silhouette(shape, plane, resolution), {}, {}, {}};
+ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
+                    const SurfaceScene* scene) {
+  ViewImage image{plane, draw_silhouette(shape, plane, resolution, scene), {}, {}, {}};
   image.distance = distance_transform(image.silhouette);
   image.axis = medial_axis(image.distance);
   const BitImage off_axis = complement(to_image(image.axis, resolution));
@@ -87,9 +88,9 @@ StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction) {
 }
 
 StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
-                                int resolution) {
-  return {pair, draw_view(shape, pair.front(), resolution),
-          draw_view(shape, pair.side(), resolution)};
+                                int resolution, const SurfaceScene* scene) {
+  return {pair, draw_view(shape, pair.front(), resolution, scene),
+          draw_view(shape, pair.side(), resolution, scene)};
 }
 
 }  // namespace marrow

@@ -36,14 +36,21 @@ void check(const ExtractOptions& o) {
   require(o.max_threads >= 0, "the number of threads must not be negative");
 }
 
-/// Runs `task(i)` for i in [0, count), each as one TBB task, on at most `threads` threads.
-template <class Task>
-void for_each_view(std::size_t count, int threads, Task task) {
+/// Runs `work()`, which may start TBB tasks, on at most `threads` threads.
+template <class Work>
+void run_on(int threads, Work work) {
   std::optional<tbb::global_control> limit;
   if (threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
+  arena.execute(work);
+}
+
+/// Runs `task(i)` for i in [0, count), each as one TBB task, on at most `threads` threads.
+template <class Task>
+void for_each_view(std::size_t count, int threads, Task task) {
+  run_on(threads,
+         [&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner{}); });
 }
 
 /// Tells of the stages and takes what they give: extract_with_trace() keeps it, extract() does not.
@@ -65,12 +72,13 @@ class Recorder {
   ExtractTrace* trace_;
 };
 
-/// 21 stereo pairs, each one task.
-std::vector<StereoImages> draw_views(const NormalizedShape& shape, int resolution, int threads) {
+/// 21 stereo pairs, each one task; by rays where there is a scene.
+std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
+                                     int resolution, int threads) {
   const auto directions = hemisphere_directions();
   std::vector<StereoImages> views(directions.size());
   for_each_view(views.size(), threads, [&](std::size_t i) {
-    views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution);
+    views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution, scene);
   });
   return views;
 }
@@ -81,13 +89,14 @@ struct DrawnViews {
 };
 
 /// All views; drawn again, and finer, where parts are thinner than a pixel.
-DrawnViews draw_views(const NormalizedShape& shape, const ExtractOptions& options) {
+DrawnViews draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
+                      const ExtractOptions& options) {
   const bool fixed = options.image_resolution > 0;
   const Resolution first{fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
-  auto views = draw_views(shape, first.image, options.max_threads);
+  auto views = draw_views(shape, scene, first.image, options.max_threads);
   const Resolution finer =
       resolution_for(shape.low, shape.high, views, first, fixed ? 0 : kFinestImage);
-  if (finer.image > first.image) views = draw_views(shape, finer.image, options.max_threads);
+  if (finer.image > first.image) views = draw_views(shape, scene, finer.image, options.max_threads);
   return {finer, std::move(views)};
 }
 
@@ -153,8 +162,13 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
   const NormalizedShape normalized_shape = apply(frame, shape);
 
   // 4.1: silhouettes, distances, medial axes.
+  std::optional<SurfaceScene> scene;
+  if (options.silhouettes == SilhouetteMethod::Embree) {
+    record.begin("surface scene", 0.02);
+    run_on(options.max_threads, [&] { scene.emplace(normalized_shape); });
+  }
   record.begin("views", 0.05);
-  DrawnViews drawn = draw_views(normalized_shape, options);
+  DrawnViews drawn = draw_views(normalized_shape, scene ? &*scene : nullptr, options);
   const Resolution resolution = record.keep(&Trace::resolution, drawn.resolution);
   const auto views = record.keep(&Trace::views, std::move(drawn.views));
   const double pixel = PixelGrid{resolution.image}.pixel();

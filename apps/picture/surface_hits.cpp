@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "picture/embree.hpp"
+#include "embree_detail.hpp"
 #include "picture/vertex_normals.hpp"
 
 namespace marrow {

@@ -1,8 +1,9 @@
-// Silhouettes by exact integer scanline fill (section 4.1).
+// Silhouettes by exact integer scanline fill, or by rays (section 4.1).
 #pragma once
 
 #include <marrow/image.hpp>
 #include <marrow/normalization.hpp>
+#include <marrow/surface_scene.hpp>
 #include <marrow/view.hpp>
 
 namespace marrow {
@@ -40,6 +41,11 @@ SnappedPoints snap(const NormalizedShape& shape, const ViewPlane& plane, int res
 BitImage fill_triangles(const SnappedPoints& points, std::span<const Triangle> triangles,
                         int resolution);
 
+/// The same by rays, in floats: a pixel is set when the line through its centre meets the surface.
+/// Pixels on the border of the silhouette may differ from those of fill_triangles(), and from one
+/// version of Embree to the next.
+BitImage fill_by_rays(const SurfaceScene& surface, const ViewPlane& plane, int resolution);
+
 /// Draws the edges of thin triangles (twice the area under 8 square pixels) where nothing of `mask`
 /// lies in the 3x3 pixels around: slivers and limbs thinner than a pixel leave a trace, and nothing
 /// grows thicker.
@@ -50,7 +56,8 @@ void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
 void fill_small_holes(BitImage& mask, double radius);
 
 /// The silhouette of `shape`: fill, trace, and for an open shape the small holes (under 0.02 of the
-/// side) filled; on a closed shape holes are real.
-BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution);
+/// side) filled; on a closed shape holes are real. With `scene`, that of the same shape, rays fill.
+BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
+                         const SurfaceScene* scene = nullptr);
 
 }  // namespace marrow

@@ -26,8 +26,8 @@ struct StereoImages {
 /// small silhouette, x the minor one.
 StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction);
 
-/// Draws both images of a pair and takes their medial axes.
+/// Draws both images of a pair, by rays where `scene` is given, and takes their medial axes.
 StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
-                                int resolution);
+                                int resolution, const SurfaceScene* scene = nullptr);
 
 }  // namespace marrow

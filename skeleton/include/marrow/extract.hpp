@@ -13,23 +13,31 @@
 
 namespace marrow {
 
+/// How the silhouettes are filled.
+enum class SilhouetteMethod {
+  Scanline,  ///< exact integers: the same bytes on any machine
+  Embree,    ///< rays in floats: border pixels may differ from one version of Embree to the next
+};
+
 struct ExtractOptions {
   int image_resolution = 0;   ///< pixels along a side of each of the 42 images, 64 to 1024; 0: 256,
                               ///< or 512 where parts are thinner than a pixel
   int grid_resolution = 128;  ///< voxels along the longest side of the shape, 16 to 256; thin
                               ///< shapes and parts get up to 192
   int smoothing_passes = 5;   ///< 0 and up
-  int max_threads = 0;        ///< 0: as many as the machine has; the result does not depend on it
+  SilhouetteMethod silhouettes = SilhouetteMethod::Scanline;
+  int max_threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on
   /// the calling thread. May throw to stop the work.
   std::function<void(std::string_view stage, double done)> on_stage;
 };
 
 /// The curve-skeleton of `shape`, in its units, for every part of its visual hull. The same shape
-/// and options give the same bytes on any machine with any number of threads. There is always an
-/// edge: where the method leaves none, a line of two nodes along the principal axis stands for the
-/// shape, short for a ball, long for a rod thinner than a pixel. Throws Error: Empty (nothing to
-/// skeletonise), Usage (an option out of range).
+/// and options give the same bytes on any machine with any number of threads (with Embree's
+/// silhouettes, where Embree is the same). There is always an edge: where the method leaves none, a
+/// line of two nodes along the principal axis stands for the shape, short for a ball, long for a
+/// rod thinner than a pixel. Throws Error: Empty (nothing to skeletonise), Usage (an option out of
+/// range), with Embree's silhouettes also Limit (out of memory).
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 
 /// All intermediate results, in the order of the paper.

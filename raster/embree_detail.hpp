@@ -24,6 +24,11 @@ inline void intersect_coherent(const int* valid, RTCScene scene, EmbreeContext& 
   arguments.context = &context;
   rtcIntersect16(valid, scene, &rays, &arguments);
 }
+
+/// Whether anything is in the way of sixteen rays: tfar of those becomes -infinity.
+inline void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
+  rtcOccluded16(valid, scene, &rays, nullptr);
+}
 #else
 using EmbreeContext = RTCIntersectContext;
 
@@ -33,6 +38,13 @@ inline void intersect_coherent(const int* valid, RTCScene scene, EmbreeContext& 
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, &rays);
+}
+
+/// Whether anything is in the way of sixteen rays: tfar of those becomes -infinity.
+inline void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
+  EmbreeContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(valid, scene, &context, &rays);
 }
 #endif
 

@@ -1,0 +1,65 @@
+#include <marrow/error.hpp>
+#include <marrow/surface_scene.hpp>
+
+#include <array>
+
+#include "surface_scene_detail.hpp"
+
+namespace marrow {
+
+namespace {
+
+// Embree fuses multiplications with additions from AVX2 on, and border pixels would come out
+// otherwise than on machines without. No "threads=N" here: it would cap TBB for the whole process.
+constexpr const char* kDevice = "max_isa=avx";
+
+// From here on building the tree takes longer than tracing through it does.
+constexpr std::size_t kManyTriangles = 200'000;
+
+void check(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw Error(ErrorKind::Limit,
+                "the memory does not hold Embree's tree of the shape; silhouettes by scanline do "
+                "without it");
+  if (error != RTC_ERROR_NONE) throw Error(ErrorKind::Internal, "Embree does not take the shape");
+}
+
+void set_points(RTCDevice device, RTCGeometry geometry, const NormalizedShape& shape) {
+  using Point = std::array<float, 3>;
+  auto* points = static_cast<Point*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Point), shape.x.size()));
+  check(device);
+  for (std::size_t i = 0; i < shape.x.size(); ++i) points[i] = {shape.x[i], shape.y[i], shape.z[i]};
+}
+
+void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& shape) {
+  const auto quality =
+      shape.triangles.size() < kManyTriangles ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
+  rtcSetSceneBuildQuality(embree.scene, quality);
+  RTCGeometry geometry = rtcNewGeometry(embree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcAttachGeometry(embree.scene, geometry);
+  rtcReleaseGeometry(geometry);  // the scene keeps it
+  set_points(embree.device, geometry, shape);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             shape.triangles.data(), 0, sizeof(Triangle), shape.triangles.size());
+  rtcSetGeometryBuildQuality(geometry, quality);
+  rtcCommitGeometry(geometry);
+}
+
+}  // namespace
+
+SurfaceScene::SurfaceScene(const NormalizedShape& shape) : embree_(std::make_unique<Embree>()) {
+  Embree& e = *embree_;
+  e.device = rtcNewDevice(kDevice);
+  if (e.device == nullptr) throw Error(ErrorKind::Internal, "Embree does not start");
+  e.scene = rtcNewScene(e.device);
+  rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST);
+  if (!shape.triangles.empty()) add_triangles(e, shape);
+  rtcCommitScene(e.scene);
+  check(e.device);
+}
+
+SurfaceScene::~SurfaceScene() = default;
+
+}  // namespace marrow

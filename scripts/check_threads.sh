@@ -28,6 +28,7 @@ for name in capsule torus trefoil star vessel-tree quadruped; do
   for threads in 1 2 3 8 8; do
     used=$(threads_of "$marrow" extract "$work/shape.ply" -o "$work/$threads.skel" \
       --threads "$threads" --quiet "${options[@]}")
+    [ "$used" -le "$threads" ] || die "$name: $used threads where at most $threads were allowed"
     [ "$used" -le "$most" ] || most=$used
     cmp "$work/1.skel" "$work/$threads.skel" || die "$name: 1 and $threads threads do not agree"
   done

@@ -126,6 +126,20 @@ for simd in $(tail -n 1 stderr | sed 's/.*one of //; s/,//g'); do
   same skeleton.obj again.obj
 done
 
+# --- two ways to silhouettes ----------------------------------------------------------------------
+silent extract torus.obj -o again.obj --silhouettes scanline --json statistics.json "${quick[@]}"
+same skeleton.obj again.obj
+grep -q '"silhouettes": "scanline"' statistics.json || fail "no word about scanlines"
+for threads in 1 8; do
+  silent extract torus.obj -o "rays.$threads.obj" --silhouettes embree --threads "$threads" \
+    --json statistics.json "${quick[@]}"
+  grep -q '"silhouettes": "embree"' statistics.json || fail "no word about Embree"
+done
+grep -q '"surface scene"' statistics.json || fail "Embree was not asked"
+same rays.1.obj rays.8.obj
+good info rays.1.obj
+says '^cycles +1'
+
 # --- standard input and output --------------------------------------------------------------------
 "$marrow" extract - --from obj -o - --to skel "${quick[@]}" <torus.obj >piped.skel || fail "pipe"
 same skeleton.skel piped.skel
@@ -186,6 +200,7 @@ bad 2 '--image' extract torus.obj -o out.obj --image many
 bad 2 '--image' extract torus.obj -o out.obj --image 99999999999
 bad 2 '256' extract torus.obj -o out.obj --grid 257
 bad 2 '--threads' extract torus.obj -o out.obj --threads -1
+bad 2 '--silhouettes' extract torus.obj -o out.obj --silhouettes rays
 bad 2 '--from' extract - -o out.obj
 bad 2 '--to' extract torus.obj -o -
 bad 2 '--from' extract torus.obj -o out.obj --from fbx

@@ -9,6 +9,7 @@
 #include "catch.hpp"
 #include "mesh_checks.hpp"
 #include "scale.hpp"
+#include "skeleton_distances.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -46,35 +47,6 @@ std::vector<std::string> names() {
 bool has_stated_topology(const AnalyticShape& made, const CurveSkeleton& s) {
   return component_count(s) == made.components && cycle_count(s) == made.cycles &&
          (!made.leaves || leaf_count(s) == *made.leaves);
-}
-
-struct Distances {
-  double mean = 0, most = 0;
-};
-
-double distance_to(const CurveSkeleton& s, const Vec3& p, double nearest_so_far) {
-  double nearest = nearest_so_far;
-  for (const auto& [a, b] : s.edges) {
-    const auto &pa = s.nodes[a].position, &pb = s.nodes[b].position;
-    if (distance(p, pa) - distance(pa, pb) < nearest)
-      nearest = std::min(nearest, pa == pb ? distance(p, pa) : distance_to_segment(p, pa, pb));
-  }
-  return nearest;
-}
-
-/// Distances of points along the edges of `from` to the lines of `to`, weighted by length.
-Distances distances(const CurveSkeleton& from, const CurveSkeleton& to) {
-  Distances d;
-  double weight = 0;
-  for (const auto& [a, b] : from.edges) {
-    const auto &pa = from.nodes[a].position, &pb = from.nodes[b].position;
-    const double there = distance_to(to, (pa + pb) * 0.5, 1e300);
-    d.mean += there * distance(pa, pb);
-    weight += distance(pa, pb);
-    d.most = std::max(d.most, there);
-  }
-  d.mean /= weight;
-  return d;
 }
 
 /// Mean of |radius - true radius| over the nodes, the true one taken at the nearest node.

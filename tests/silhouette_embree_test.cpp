@@ -78,21 +78,22 @@ Disagreement compare(const BitImage& a, const BitImage& b) {
   return d;
 }
 
-/// The threads that come by; each waits for a second one, ten seconds at most.
+/// The threads that come by; the first waits for a second one, ten seconds at most.
 class MeetingPoint {
  public:
   void come_by() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     {
       const std::lock_guard lock(mutex_);
       threads_.insert(std::this_thread::get_id());
       count_ = threads_.size();
     }
-    while (count_ < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    while (count_ < 2 && std::chrono::steady_clock::now() < end_) std::this_thread::yield();
   }
   std::size_t threads() const { return count_; }
 
  private:
+  std::chrono::steady_clock::time_point end_ =
+      std::chrono::steady_clock::now() + std::chrono::seconds(10);
   std::mutex mutex_;
   std::set<std::thread::id> threads_;
   std::atomic<std::size_t> count_{0};

@@ -17,7 +17,7 @@ packages=(
   libtinyobjloader-dev  # OBJ
   libcli11-dev          # the options of the program
   nlohmann-json3-dev    # JSON
-  libembree-dev         # rays for the picture
+  libembree-dev         # rays for silhouettes and the picture
   libpng-dev            # PNG
   catch2                # the tests
 )

@@ -15,6 +15,9 @@ target_compile_features(marrow_options INTERFACE cxx_std_20)
 target_compile_options(marrow_options INTERFACE
   -ffp-contract=off -fno-fast-math -fno-math-errno -Wall -Wextra -Wshadow -Wconversion
   $<$<BOOL:${MARROW_WERROR}>:-Werror>)
+# Highway 1.0 does not compile for -march=native where the machine has this instruction set, and no
+# kernel has a use for what it adds to AVX3.
+target_compile_definitions(marrow_options INTERFACE HWY_DISABLED_TARGETS=HWY_AVX3_DL)
 if(MARROW_SANITIZE)
   target_compile_options(marrow_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -38,7 +38,8 @@ int BranchGraph::cycle_count() const {
   std::vector<int> parent(vertices_.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int v) {
-    while (parent[static_cast<std::size_t>(v)] != v) v = parent[static_cast<std::size_t>(v)];
+    for (auto i = static_cast<std::size_t>(v); parent[i] != v; i = static_cast<std::size_t>(v))
+      v = parent[i] = parent[static_cast<std::size_t>(parent[i])];
     return v;
   };
   int cycles = 0;

@@ -85,18 +85,29 @@ VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
   return inside;
 }
 
-bool has_detour_inside(const Excursion& e, const SurfaceSides& surface, double voxel) {
-  const double reach = e.clearance + kDetourVoxels * voxel, cell = kDetourCell * voxel;
-  const VoxelGrid grid = grid_around(e.samples, reach, cell);
-  for (const auto& part : voxel_parts(grid, inside_cells(grid, e.samples, surface, reach))) {
-    const auto touches = [&](const Vec3& end) {
-      return std::any_of(part.begin(), part.end(), [&](std::uint32_t c) {
-        return squared_length(grid.center(c) - end) <= 3 * cell * cell;
-      });
-    };
-    if (touches(e.samples.front()) && touches(e.samples.back())) return true;
+/// Whether a way through the cells leads from one end of an excursion to the other. Takes the cells
+/// that it visits out.
+bool leads_through(const VoxelGrid& grid, VoxelSet& cells, const Vec3& from, const Vec3& to) {
+  const auto touches = [&](std::uint32_t c, const Vec3& end) {
+    return squared_length(grid.center(c) - end) <= 3 * grid.size * grid.size;
+  };
+  std::vector<std::uint32_t> visited;
+  for (std::uint32_t c = 0; c < cells.size(); ++c)
+    if (cells[c] && touches(c, from)) cells[c] = 0, visited.push_back(c);
+  for (std::size_t k = 0; k < visited.size(); ++k) {
+    if (touches(visited[k], to)) return true;
+    for_neighbours(grid, visited[k], [&](std::uint32_t n) {
+      if (cells[n]) cells[n] = 0, visited.push_back(n);
+    });
   }
   return false;
+}
+
+bool has_detour_inside(const Excursion& e, const SurfaceSides& surface, double voxel) {
+  const double reach = e.clearance + kDetourVoxels * voxel;
+  const VoxelGrid grid = grid_around(e.samples, reach, kDetourCell * voxel);
+  VoxelSet inside = inside_cells(grid, e.samples, surface, reach);
+  return leads_through(grid, inside, e.samples.front(), e.samples.back());
 }
 
 }  // namespace

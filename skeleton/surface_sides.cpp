@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace marrow {
@@ -41,7 +42,7 @@ constexpr Cells kCells;  // for finding the points under a triangle
 /// As fine as the triangles, as far as their number tells.
 Cells cells_for(std::size_t triangles) {
   Cells cells{12, 130};
-  for (std::size_t few = 30'000; few < triangles && cells.shift > 10; few *= 4)
+  for (std::size_t few = 60'000; few < triangles && cells.shift > 10; few *= 4)
     --cells.shift, cells.count *= 2;
   return cells;
 }
@@ -218,28 +219,33 @@ struct LineCount {
   }
 };
 
-/// The cells that a triangle lies in along coordinate `k`.
-std::pair<int, int> cells_of(const std::array<LatticePoint, 3>& corners, std::size_t k) {
-  const auto [low, high] = std::minmax({corners[0][k], corners[1][k], corners[2][k]});
-  return {kCells.of(low), kCells.of(high)};
-}
+/// The corners of a triangle on the lattice, and the cells that it lies in along each coordinate.
+struct SnappedTriangle {
+  std::array<LatticePoint, 3> corner;
+  std::array<int, 3> low, high;
+
+  SnappedTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
+      : corner{a, b, c} {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = kCells.of(std::min({a[k], b[k], c[k]}));
+      high[k] = kCells.of(std::max({a[k], b[k], c[k]}));
+    }
+  }
+};
 
 /// Adds the crossings of a triangle with the lines through the points along one axis.
-void add_crossings(const std::array<LatticePoint, 3>& corners, std::span<const LatticePoint> points,
+void add_crossings(const SnappedTriangle& t, std::span<const LatticePoint> points,
                    const Lines& lines, std::vector<LineCount>& counts) {
-  const std::size_t axis = lines.axis();
-  const auto [x0, x1] = cells_of(corners, (axis + 1) % 3);
-  const auto [y0, y1] = cells_of(corners, (axis + 2) % 3);
-  for (int y = y0; y <= y1; ++y) {
-    const auto row = lines.row(y, x0, x1);
-    if (row.empty()) continue;
-    const ProjectedTriangle triangle(corners[0], corners[1], corners[2], axis);
-    if (triangle.area == 0) return;
-    for (const auto& line : row) {
+  const std::size_t axis = lines.axis(), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::optional<ProjectedTriangle> triangle;
+  for (int y = t.low[v]; y <= t.high[v]; ++y) {
+    for (const auto& line : lines.row(y, t.low[u], t.high[u])) {
+      if (!triangle) triangle.emplace(t.corner[0], t.corner[1], t.corner[2], axis);
+      if (triangle->area == 0) return;
       std::int64_t depth = 0;
-      if (!triangle.meets(line, depth)) continue;
+      if (!triangle->meets(line, depth)) continue;
       for (const std::uint32_t i : lines.points_on(line))
-        counts[i].add(triangle.sign, depth - points[i][axis] * triangle.area, triangle.area);
+        counts[i].add(triangle->sign, depth - points[i][axis] * triangle->area, triangle->area);
     }
   }
 }
@@ -259,10 +265,10 @@ std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) const {
   for (const auto& t : shape_.triangles) {
     const unsigned axes = near.axes(t);
     if (axes == 0) continue;
-    const std::array<LatticePoint, 3> corners{
-        snap(corner(shape_, t[0])), snap(corner(shape_, t[1])), snap(corner(shape_, t[2]))};
+    const SnappedTriangle triangle(snap(corner(shape_, t[0])), snap(corner(shape_, t[1])),
+                                   snap(corner(shape_, t[2])));
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((axes >> axis & 1) != 0) add_crossings(corners, snapped, lines[axis], counts[axis]);
+      if ((axes >> axis & 1) != 0) add_crossings(triangle, snapped, lines[axis], counts[axis]);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {
     int inside = 0, outside = 0;

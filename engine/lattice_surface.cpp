@@ -83,8 +83,8 @@ void add_block(Moments& m, const std::array<Corners, 3>& p, const Row& w) {
   const RoundedSums sum(w);
   m.area += sum([&](std::size_t k) { return w[k] * 0x1p10; });
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& [a, b, c] = p[i];
-    m.first[i] += sum([&](std::size_t k) { return w[k] * (a[k] + b[k] + c[k]) * 0x1p-10; });
+    const Corners& u = p[i];
+    m.first[i] += sum([&](std::size_t k) { return w[k] * (u.a[k] + u.b[k] + u.c[k]) * 0x1p-10; });
   }
   constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};

@@ -41,6 +41,21 @@ bool holds_all_on_target(const std::uint32_t* words, int stride, const std::uint
   return hn::AllTrue(d, hn::Eq(all, hn::Set(d, 1)));
 }
 
+/// Whether the squares are there in all four corners of the boxes from `low` to `high`, as one or
+/// zero. In a box smaller than a square they are one and the same.
+HWY_INLINE U32 squares_at_corners(const std::uint32_t* words, int stride, int side, U32 low,
+                                  U32 high) {
+  const D d;
+  const U32 own = in_both_halves(static_cast<std::uint32_t>(side) - 1);
+  const U32 reach = hn::Sub(high, low);
+  const U32 far = hn::Add(low, hn::Sub(reach, least({reach, own, own})));
+  const U32 x = hn::Set(d, 0xffff), y = hn::Set(d, 0xffff0000);
+  const U32 right = hn::Or(hn::And(far, x), hn::And(low, y));
+  const U32 above = hn::Or(hn::And(low, x), hn::And(far, y));
+  return hn::And(hn::And(bits_at(words, stride, low), bits_at(words, stride, far)),
+                 hn::And(bits_at(words, stride, right), bits_at(words, stride, above)));
+}
+
 /// There must be enough triangles for a vector; in the last one some are taken again.
 PackedTriangles not_within_on_target(const std::uint32_t* words, int stride, int side,
                                      const PackedTriangles& triangles, int shift) {
@@ -48,15 +63,15 @@ PackedTriangles not_within_on_target(const std::uint32_t* words, int stride, int
   PackedTriangles rest;
   for (auto* const corners : {&rest.a, &rest.b, &rest.c})
     corners->resize(triangles.size() + 2 * kSlack);
+  const U32 too_far = in_both_halves(0x10000u - 2 * static_cast<std::uint32_t>(side));
   std::size_t size = 0;
   for (std::size_t at = 0; at < triangles.size(); at += hn::Lanes(d)) {
     const std::size_t i = std::min(at, triangles.size() - hn::Lanes(d));
     const Corners t = {hn::LoadU(d, &triangles.a[i]), hn::LoadU(d, &triangles.b[i]),
                        hn::LoadU(d, &triangles.c[i])};
     const U32 low = nearest_pixels(least(t), shift), high = nearest_pixels(greatest(t), shift);
-    const U32 beyond =
-        hn::And(hn::Sub(high, low), in_both_halves(0x10000u - static_cast<std::uint32_t>(side)));
-    const U32 missing = hn::Sub(hn::Set(d, 1), bits_at(words, stride, low));
+    const U32 beyond = hn::And(hn::Sub(high, low), too_far);
+    const U32 missing = hn::Sub(hn::Set(d, 1), squares_at_corners(words, stride, side, low, high));
     const Choice chosen(hn::Ne(hn::Or(beyond, missing), hn::Zero(d)));
     chosen.store(t.a, &rest.a[size]);
     chosen.store(t.b, &rest.b[size]);

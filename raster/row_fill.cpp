@@ -46,7 +46,7 @@ class RowEnds {
   F64 reciprocal_, value_, step_;
 };
 
-void set_span(BitImage::Word* row, int left, int right) {
+HWY_INLINE void set_span(BitImage::Word* row, int left, int right) {
   const int first = left >> 6, last = right >> 6;
   const BitImage::Word from = ~BitImage::Word{0} << (left & 63);
   const BitImage::Word to = ~BitImage::Word{0} >> (63 - (right & 63));
@@ -77,9 +77,11 @@ void fill_triangle(BitImage& mask, const LatticeTriangle& t, int shift) {
     hn::StoreU(hn::DemoteTo(columns, left), columns, from);
     hn::StoreU(hn::DemoteTo(columns, right), columns, to);
     hn::StoreMaskBits(d, is_filled, filled);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      if ((filled[k / 8] >> k % 8 & 1) != 0)
+    for (std::size_t byte = 0; 8 * byte < hn::Lanes(d); ++byte)
+      for (unsigned bits = filled[byte]; bits != 0; bits &= bits - 1) {
+        const std::size_t k = 8 * byte + static_cast<std::size_t>(std::countr_zero(bits));
         set_span(mask.row(y + static_cast<int>(k)), from[k], to[k]);
+      }
   }
 }
 

@@ -20,12 +20,12 @@ bool are_set(const BitImage::Word* row, int first, int last) {
   return true;
 }
 
-/// Pixels from (left, low) to (right, high).
-struct PixelBox {
+/// Pixels from (left, low) to (right, high), these included.
+struct Extent {
   int left, right, low, high;
 };
 
-bool is_set(const BitImage& image, const PixelBox& box) {
+bool is_set(const BitImage& image, const Extent& box) {
   for (int y = box.low; y <= box.high; ++y)
     if (!are_set(image.row(y), box.left, box.right)) return false;
   return true;
@@ -55,23 +55,37 @@ class Walk {
   int whole_ = 0, rest_ = 0;
 };
 
-/// Squares of 4, 8 and 32 pixels that lie within an image.
+/// From the squares of side `side` within an image those twice as long, 32 at most.
+BitImage doubled_squares(BitImage squares, int side) {
+  const int words = squares.words_per_row();
+  for (int y = 0; y < squares.height(); ++y) {
+    BitImage::Word* const row = squares.row(y);
+    for (int i = 0; i < words; ++i)
+      row[i] &= row[i] >> side | (i + 1 < words ? row[i + 1] << (64 - side) : 0);
+  }
+  for (int y = 0; y < squares.height(); ++y)
+    for (int i = 0; i < words; ++i)
+      squares.row(y)[i] &= y + side < squares.height() ? squares.row(y + side)[i] : 0;
+  return squares;
+}
+
+/// Squares within an image, by the length of their sides.
 struct Squares {
   explicit Squares(const BitImage& image)
-      : four(squares_within(image, 4)),
-        eight(squares_within(image, 8)),
-        many(squares_within(image, 32)) {}
+      : of_4(squares_within(image, 4)),
+        of_8(doubled_squares(of_4, 4)),
+        of_32(doubled_squares(doubled_squares(of_8, 8), 16)) {}
 
   /// Whether squares within the image make up the box, or one holds it.
-  bool hold(const PixelBox& box) const {
-    return std::max(box.right - box.left, box.high - box.low) < 32 ? hold(eight, 8, box)
-                                                                   : hold(many, 32, box);
+  bool hold(const Extent& box) const {
+    return std::max(box.right - box.left, box.high - box.low) < 32 ? hold(of_8, 8, box)
+                                                                   : hold(of_32, 32, box);
   }
 
-  BitImage four, eight, many;
+  BitImage of_4, of_8, of_32;
 
  private:
-  static bool hold(const BitImage& squares, int side, const PixelBox& box) {
+  static bool hold(const BitImage& squares, int side, const Extent& box) {
     const int last_x = std::max(box.left, box.right - side + 1);
     const int last_y = std::max(box.low, box.high - side + 1);
     for (int y = box.low; y <= box.high; y += side)
@@ -139,7 +153,7 @@ class EdgeTrace {
 
   /// Whether the mask is known to be near to all pixels between a and b.
   bool is_covered(LatticePoint a, LatticePoint b) const {
-    const PixelBox box = {
+    const Extent box = {
         nearest_pixel(std::min(a.x, b.x), shift_), nearest_pixel(std::max(a.x, b.x), shift_),
         nearest_pixel(std::min(a.y, b.y), shift_), nearest_pixel(std::max(a.y, b.y), shift_)};
     return squares_.hold(box) || (box.high - box.low < kFewRows && is_set(near_, box));
@@ -170,17 +184,7 @@ PackedTriangles uncovered(const SnappedPoints& points, std::span<const Triangle>
 }  // namespace
 
 BitImage squares_within(BitImage image, int side) {
-  const int words = image.words_per_row();
-  for (int y = 0; y < image.height(); ++y)
-    for (int step = 1; step < side; step *= 2)
-      for (int i = 0; i < words; ++i) {
-        BitImage::Word* const word = image.row(y) + i;
-        *word &= *word >> step | (i + 1 < words ? word[1] << (64 - step) : 0);
-      }
-  for (int step = 1; step < side; step *= 2)
-    for (int y = 0; y < image.height(); ++y)
-      for (int i = 0; i < words; ++i)
-        image.row(y)[i] &= y + step < image.height() ? image.row(y + step)[i] : 0;
+  for (int half = 1; half < side; half *= 2) image = doubled_squares(std::move(image), half);
   return image;
 }
 
@@ -197,8 +201,8 @@ void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Tri
       if (std::abs(twice_area(corners)) < thin) edges.draw(corners);
     }
   };
-  const PackedTriangles rest = not_within(squares.eight, 8, large, shift);
-  trace(not_within(squares.four, 4, rest, shift));
+  const PackedTriangles rest = not_within(squares.of_8, 8, large, shift);
+  trace(not_within(squares.of_4, 4, rest, shift));
   trace(uncovered(points, triangles, near_mask, shift));
   for (int y = 0; y < resolution; ++y)
     for (int i = 0; i < mask.words_per_row(); ++i) mask.row(y)[i] |= edges.trace.row(y)[i];

@@ -14,8 +14,8 @@ void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Tri
 /// power of two.
 BitImage squares_within(BitImage image, int side);
 
-/// Those of `triangles` of which one square within an image does not show that the image holds
-/// them, corners and all.
+/// Those of `triangles` of which four squares within an image, in the corners of the box of their
+/// pixels, do not show that the image holds the box; also all wider than two squares.
 PackedTriangles not_within(const BitImage& squares, int side, const PackedTriangles& triangles,
                            int shift);
 

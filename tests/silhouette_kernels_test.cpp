@@ -230,12 +230,12 @@ TEST_CASE("kernels: triangles left out of the trace lie within the image") {
   PackedTriangles triangles;
   for (int i = 0; i < kTriangles; ++i) {
     SnappedPoints corners(3);
-    const int reach = static_cast<int>(random.below(10)) + 1;
+    const int reach = static_cast<int>(random.below(18)) + 1;
     const auto place = [&](int least) {
       return least + static_cast<int>(random.below(static_cast<unsigned>(reach * steps)));
     };
-    const int x = static_cast<int>(random.below(static_cast<unsigned>((kSide - 12) * steps)));
-    const int y = static_cast<int>(random.below(static_cast<unsigned>((kSide - 12) * steps)));
+    const int x = static_cast<int>(random.below(static_cast<unsigned>((kSide - 20) * steps)));
+    const int y = static_cast<int>(random.below(static_cast<unsigned>((kSide - 20) * steps)));
     for (std::size_t k = 0; k < 3; ++k) corners.set(k, place(x), place(y));
     triangles.push_back(corners, {0, 1, 2});
   }
@@ -246,9 +246,9 @@ TEST_CASE("kernels: triangles left out of the trace lie within the image") {
       left = std::min(left, x), right = std::max(right, x);
       low = std::min(low, y), high = std::max(high, y);
     }
-    if (right - left >= side || high - low >= side) return false;
-    for (int y = low; y < low + side; ++y)
-      for (int x = left; x < left + side; ++x)
+    if (right - left >= 2 * side || high - low >= 2 * side) return false;
+    for (int y = low; y <= std::max(high, low + side - 1); ++y)
+      for (int x = left; x <= std::max(right, left + side - 1); ++x)
         if (!image.contains(x, y) || !image(x, y)) return false;
     return true;
   };

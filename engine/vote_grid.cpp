@@ -1,31 +1,41 @@
 #include <marrow/vote_grid.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <new>
+#include <utility>
 
 namespace marrow {
 
 namespace {
 
-constexpr double kFixed = 1 << 30;       // fixed point of positions: |position| <= 2
-constexpr std::uint32_t kNone = 0;       // no cell yet
-constexpr std::uint32_t kPending = ~0u;  // a thread is fetching one
+constexpr double kFixed = 1 << 30;  // fixed point of positions: |position| < 2
+constexpr std::size_t kLeastFold = std::size_t{1} << 18;  // ballots that are summed up at once
 
-/// Zeroed memory that costs nothing until it is touched.
-template <class T>
-T* zeroed(std::size_t count) {
-  void* memory = std::calloc(count, sizeof(T));
-  if (memory == nullptr) throw std::bad_alloc();
-  return static_cast<T*>(memory);
+std::int32_t to_fixed(double coordinate) {
+  return static_cast<std::int32_t>(std::llrint(coordinate * kFixed));
 }
 
-void raise_to(std::atomic<std::uint32_t>& value, std::uint32_t candidate) {
-  std::uint32_t seen = value.load(std::memory_order_relaxed);
-  while (seen < candidate &&
-         !value.compare_exchange_weak(seen, candidate, std::memory_order_relaxed)) {
-  }
+/// A voxel and where its ballot lies.
+struct Place {
+  std::uint32_t voxel, ballot;
+};
+
+/// One pass of a radix sort: stable, by the `bits` bits of the voxel from bit `shift` on.
+void sort_by_digit(const std::vector<Place>& from, std::vector<Place>& to, int shift, int bits) {
+  const std::uint32_t mask = (1u << bits) - 1;
+  std::vector<std::uint32_t> next((std::size_t{1} << bits) + 1, 0);
+  for (const auto& p : from) ++next[(p.voxel >> shift & mask) + 1];
+  for (std::size_t d = 1; d < next.size(); ++d) next[d] += next[d - 1];
+  for (const auto& p : from) to[next[p.voxel >> shift & mask]++] = p;
+}
+
+/// Sorts by voxel; all voxels are less than `count`.
+void sort_by_voxel(std::vector<Place>& places, std::size_t count) {
+  const int bits = (static_cast<int>(std::bit_width(count)) + 1) / 2;
+  std::vector<Place> half_sorted(places.size());
+  sort_by_digit(places, half_sorted, 0, bits);
+  sort_by_digit(half_sorted, places, bits, bits);
 }
 
 }  // namespace
@@ -42,52 +52,57 @@ VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution) {
   return grid;
 }
 
-void VoteAccumulator::Free::operator()(void* memory) const { std::free(memory); }
-
-VoteAccumulator::VoteAccumulator(const VoxelGrid& grid)
-    : grid_(grid),
-      cell_index_(zeroed<std::atomic<std::uint32_t>>(grid.count())),
-      cells_(zeroed<Cell>(grid.count() + 1)) {}
-
-VoteAccumulator::Cell& VoteAccumulator::cell_of(std::uint32_t voxel) {
-  auto& index = cell_index_[voxel];
-  std::uint32_t seen = index.load(std::memory_order_acquire);
-  if (seen == kNone && index.compare_exchange_strong(seen, kPending, std::memory_order_acquire)) {
-    seen = 1 + used_cells_.fetch_add(1, std::memory_order_relaxed);
-    index.store(seen, std::memory_order_release);
+void VoteAccumulator::vote(std::span<const Match> matches) {
+  std::vector<Ballot> fresh;
+  fresh.reserve(matches.size());
+  for (const auto& [position, radius] : matches) {
+    const Vec3 p = (position - grid_.origin) / grid_.size;
+    // Off the outermost layer, so that every voted voxel has all its neighbours.
+    const int x = std::clamp(static_cast<int>(p.x), 1, grid_.nx - 2);
+    const int y = std::clamp(static_cast<int>(p.y), 1, grid_.ny - 2);
+    const int z = std::clamp(static_cast<int>(p.z), 1, grid_.nz - 2);
+    fresh.push_back({grid_.index(x, y, z), radius, to_fixed(position.x), to_fixed(position.y),
+                     to_fixed(position.z)});
   }
-  while (seen == kPending) seen = index.load(std::memory_order_acquire);
-  return cells_[seen];
+  const std::lock_guard lock(mutex_);
+  // As many as there are sums, so that the work stays in proportion.
+  if (ballots_.size() > std::max(kLeastFold, sums_.size())) fold();
+  ballots_.insert(ballots_.end(), fresh.begin(), fresh.end());
 }
 
-void VoteAccumulator::vote(const Vec3& position, ChamferDistance radius) {
-  const Vec3 p = (position - grid_.origin) / grid_.size;
-  // Off the outermost layer, so that every voted voxel has all its neighbours.
-  const int x = std::clamp(static_cast<int>(p.x), 1, grid_.nx - 2);
-  const int y = std::clamp(static_cast<int>(p.y), 1, grid_.ny - 2);
-  const int z = std::clamp(static_cast<int>(p.z), 1, grid_.nz - 2);
-  Cell& cell = cell_of(grid_.index(x, y, z));
-  constexpr auto relaxed = std::memory_order_relaxed;
-  cell.count.fetch_add(1, relaxed);
-  raise_to(cell.inverse_radius, 0xffffu - radius);
-  cell.x.fetch_add(std::llrint(position.x * kFixed), relaxed);
-  cell.y.fetch_add(std::llrint(position.y * kFixed), relaxed);
-  cell.z.fetch_add(std::llrint(position.z * kFixed), relaxed);
+/// Moves all ballots into the sums.
+void VoteAccumulator::fold() {
+  std::vector<Place> places(ballots_.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = {ballots_[i].voxel, i};
+  sort_by_voxel(places, grid_.count());
+  std::vector<Sum> merged;
+  merged.reserve(sums_.size() + places.size());
+  auto old = sums_.begin();
+  for (auto place = places.begin(); place != places.end();) {
+    const std::uint32_t voxel = place->voxel;
+    while (old != sums_.end() && old->voxel < voxel) merged.push_back(*old++);
+    Sum sum{voxel, 0, 0, 0, 0, 0xffff};
+    if (old != sums_.end() && old->voxel == voxel) sum = *old++;
+    for (; place != places.end() && place->voxel == voxel; ++place) {
+      const Ballot& b = ballots_[place->ballot];
+      ++sum.count;
+      sum.x += b.x, sum.y += b.y, sum.z += b.z;
+      sum.radius = std::min(sum.radius, b.radius);
+    }
+    merged.push_back(sum);
+  }
+  merged.insert(merged.end(), old, sums_.end());
+  sums_ = std::move(merged);
+  ballots_.clear();
 }
 
 VoteGrid VoteAccumulator::finish() && {
+  fold();
   VoteGrid result{grid_, {}};
-  result.votes.reserve(used_cells_.load());
-  const auto voxels = static_cast<std::uint32_t>(grid_.count());
-  for (std::uint32_t voxel = 0; voxel < voxels; ++voxel) {
-    const std::uint32_t index = cell_index_[voxel].load(std::memory_order_relaxed);
-    if (index == kNone) continue;
-    const Cell& c = cells_[index];
-    const Vec3 sum{static_cast<double>(c.x.load()), static_cast<double>(c.y.load()),
-                   static_cast<double>(c.z.load())};
-    const std::uint32_t count = c.count.load();
-    const auto radius = static_cast<ChamferDistance>(0xffffu - c.inverse_radius.load());
-    result.votes.push_back({voxel, count, radius, 0, 0, sum / (count * kFixed)});
+  result.votes.reserve(sums_.size());
+  for (const Sum& s : sums_) {
+    const Vec3 sum{static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
+    result.votes.push_back({s.voxel, s.count, s.radius, 0, 0, sum / (s.count * kFixed)});
   }
   return result;
 }

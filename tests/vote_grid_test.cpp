@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <span>
 #include <thread>
 
 #include "catch.hpp"
@@ -19,12 +20,7 @@ using namespace marrow::test;
 
 namespace {
 
-struct Match {
-  Vec3 position;  // multiples of 2^-20, so that sums are exact
-  ChamferDistance radius;
-};
-
-/// Many in few voxels, some anywhere.
+/// Many in few voxels, some anywhere; at multiples of 2^-20, so that sums are exact.
 std::vector<Match> random_matches(std::size_t count, const Vec3& low, const Vec3& high) {
   Random random(5);
   std::vector<Match> matches;
@@ -121,7 +117,7 @@ TEST_CASE("votes: counted, least radius, exact mean of the positions, in the ord
   const VoxelGrid grid = make_voxel_grid(kLow, kHigh, 40);
   const auto matches = random_matches(20000, kLow, kHigh);
   VoteAccumulator accumulator(grid);
-  for (const Match& m : matches) accumulator.vote(m.position, m.radius);
+  accumulator.vote(matches);
   const VoteGrid votes = std::move(accumulator).finish();
   const VoteGrid expected = slow_votes(grid, matches);
   REQUIRE(votes.votes.size() == expected.votes.size());
@@ -133,7 +129,7 @@ TEST_CASE("votes: one with the least and one with the greatest distance") {
   const VoxelGrid grid = make_voxel_grid(kLow, kHigh, 16);
   for (const ChamferDistance radius : std::array<ChamferDistance, 3>{0, 1, 65535}) {
     VoteAccumulator accumulator(grid);
-    accumulator.vote({0.125, 0.25, -0.0625}, radius);
+    accumulator.vote(std::vector<Match>{{{0.125, 0.25, -0.0625}, radius}});
     const VoteGrid votes = std::move(accumulator).finish();
     REQUIRE(votes.votes.size() == 1);
     CHECK(votes.votes[0].radius == radius);
@@ -150,7 +146,7 @@ TEST_CASE("votes: stay off the outermost layer") {
     for (int i = 0; i < 27; ++i) {
       const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
       const Vec3 p{reach * x, reach * y, reach * z};
-      accumulator.vote(p, 9);
+      accumulator.vote(std::vector<Match>{{p, 9}});
     }
     const VoteGrid votes = std::move(accumulator).finish();
     REQUIRE(votes.votes.size() == 27);
@@ -160,6 +156,17 @@ TEST_CASE("votes: stay off the outermost layer") {
       CHECK(*std::max_element(c, c + 3) <= grid.nx - 2);
     }
   }
+}
+
+TEST_CASE("votes: more than are summed up at once") {
+  const VoxelGrid grid = make_voxel_grid(kLow, kHigh, 40);
+  const auto matches =
+      random_matches(static_cast<std::size_t>(scaled(900000, 300000)), kLow, kHigh);
+  VoteAccumulator accumulator(grid);
+  for (std::size_t i = 0; i < matches.size(); i += 1000)
+    accumulator.vote(std::span(matches).subspan(i, 1000));
+  const VoteGrid result = std::move(accumulator).finish();
+  CHECK(result == slow_votes(grid, matches));
 }
 
 TEST_CASE("votes: any threads give the same grid") {
@@ -176,7 +183,7 @@ TEST_CASE("votes: any threads give the same grid") {
         threads.emplace_back([&, k] {
           while (!go) std::this_thread::yield();
           for (std::size_t i = k; i < matches.size(); i += count)
-            accumulator.vote(matches[i].position, matches[i].radius);
+            accumulator.vote(std::span(matches).subspan(i, 1));
         });
       go = true;
       for (std::thread& t : threads) t.join();
@@ -192,7 +199,7 @@ TEST_CASE("votes: any threads give the same grid") {
       VoteAccumulator accumulator(grid);
       std::atomic<std::size_t> least_threads{8};
       tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-        accumulator.vote(matches[i].position, matches[i].radius);
+        accumulator.vote(std::span(matches).subspan(i, 1));
         if (i % 1000 == 0 &&
             global_control::active_value(global_control::max_allowed_parallelism) != 8)
           least_threads = 0;

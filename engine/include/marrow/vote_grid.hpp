@@ -3,10 +3,10 @@
 
 #include <marrow/vec.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 namespace marrow {
@@ -65,36 +65,42 @@ struct VoteGrid {
   friend bool operator==(const VoteGrid&, const VoteGrid&) = default;
 };
 
+/// A front and a side medial pixel on one scanline, and what both see.
+struct Match {
+  Vec3 position;               ///< inside the grid, every coordinate less than 2 from 0
+  ChamferDistance radius = 0;  ///< the lesser of the two distances
+};
+
 /// Takes votes from many threads at once: integer add and min only, which commute, so that any
 /// schedule gives the same grid.
 class VoteAccumulator {
  public:
-  explicit VoteAccumulator(const VoxelGrid& grid);
+  explicit VoteAccumulator(const VoxelGrid& grid) : grid_(grid) {}
 
-  /// One match at `position` (inside the grid, |.| <= 2) with distance `radius`. Thread-safe.
-  void vote(const Vec3& position, ChamferDistance radius);
+  /// One vote for each of the matches. Thread-safe; the more at once, the cheaper.
+  void vote(std::span<const Match> matches);
 
   /// The end of the parallel phase is a change of type.
   VoteGrid finish() &&;
 
  private:
-  struct Cell {
-    std::atomic<std::uint32_t> count;
-    std::atomic<std::uint32_t> inverse_radius;  // 0xffff - radius: zero memory is an empty cell
-    std::atomic<std::int64_t> x, y, z;          // sums in fixed point
+  struct Ballot {
+    std::uint32_t voxel;
+    ChamferDistance radius;
+    std::int32_t x, y, z;  // fixed point
   };
-  struct Free {
-    void operator()(void* memory) const;
+  struct Sum {
+    std::uint32_t voxel, count;
+    std::int64_t x, y, z;
+    ChamferDistance radius;  // the least
   };
 
-  Cell& cell_of(std::uint32_t voxel);
+  void fold();
 
   VoxelGrid grid_;
-  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which
-  // cell a voxel gets depends on the schedule, what it holds does not.
-  std::unique_ptr<std::atomic<std::uint32_t>[], Free> cell_index_;
-  std::unique_ptr<Cell[], Free> cells_;
-  std::atomic<std::uint32_t> used_cells_{0};
+  std::mutex mutex_;
+  std::vector<Ballot> ballots_;  // not yet in the sums
+  std::vector<Sum> sums_;        // by voxel
 };
 
 }  // namespace marrow

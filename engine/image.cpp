@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace marrow {
 
@@ -39,6 +40,66 @@ void widen(std::vector<BitImage::Word>& row, std::vector<BitImage::Word>& before
 BitImage::Word last_word_mask(const BitImage& image) {
   const int used = image.width() % 64;
   return used == 0 ? ~BitImage::Word{0} : (BitImage::Word{1} << used) - 1;
+}
+
+using Word = BitImage::Word;
+
+struct Or {
+  Word operator()(Word a, Word b) const { return a | b; }
+};
+struct And {
+  Word operator()(Word a, Word b) const { return a & b; }
+};
+
+/// Combines every pixel of a row with those `step` columns before and after it; 0 < step < 64.
+template <class Combine>
+void combine_columns(const Word* source, Word* target, int words, int step, Combine combine) {
+  Word before = 0, here = source[0];
+  for (int i = 0; i < words; ++i) {
+    const Word after = i + 1 < words ? source[i + 1] : 0;
+    const Word left = here << step | before >> (64 - step);
+    const Word right = here >> step | after << (64 - step);
+    target[i] = combine(here, combine(left, right));
+    before = here, here = after;
+  }
+}
+
+/// Combines every row with those `step` before and after it; rows outside the image are empty.
+template <class Combine>
+void combine_rows(const BitImage& source, BitImage& target, int top, int bottom, int step,
+                  Combine combine) {
+  const int words = source.words_per_row();
+  const std::vector<Word> empty(static_cast<std::size_t>(words), 0);
+  for (int y = top; y < bottom; ++y) {
+    const Word* before = y >= step ? source.row(y - step) : empty.data();
+    const Word* after = y + step < source.height() ? source.row(y + step) : empty.data();
+    for (int i = 0; i < words; ++i)
+      target.row(y)[i] = combine(source.row(y)[i], combine(before[i], after[i]));
+  }
+}
+
+/// Combines every pixel with its box: a window that reaches k pixels grows by up to 2 k + 1 when it
+/// is combined with itself to either side.
+template <class Combine>
+BitImage combine_box(BitImage image, int rx, int ry, Combine combine) {
+  BitImage next(image.width(), image.height());
+  const PixelBox box = bounding_box(image);
+  int top = box.top, bottom = box.bottom;
+  for (int reach = 0, step = 0; reach < rx; reach += step) {
+    step = std::min({2 * reach + 1, rx - reach, 63});
+    for (int y = top; y < bottom; ++y)
+      combine_columns(image.row(y), next.row(y), image.words_per_row(), step, combine);
+    std::swap(image, next);
+  }
+  top = std::max(top - ry, 0), bottom = std::min(bottom + ry, image.height());
+  for (int reach = 0, step = 0; reach < ry; reach += step) {
+    step = std::min(2 * reach + 1, ry - reach);
+    combine_rows(image, next, top, bottom, step, combine);
+    std::swap(image, next);
+  }
+  for (int y = top; y < bottom; ++y)
+    image.row(y)[image.words_per_row() - 1] &= last_word_mask(image);
+  return image;
 }
 
 }  // namespace
@@ -97,6 +158,14 @@ BitImage dilate(const BitImage& image, double radius) {
   for (int y = 0; y < image.height() && words > 0; ++y)
     result.row(y)[words - 1] &= last_word_mask(image);
   return result;
+}
+
+BitImage dilate_box(const BitImage& image, int rx, int ry) {
+  return combine_box(image, rx, ry, Or{});
+}
+
+BitImage erode_box(const BitImage& image, int rx, int ry) {
+  return combine_box(image, rx, ry, And{});
 }
 
 }  // namespace marrow

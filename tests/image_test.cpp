@@ -137,3 +137,32 @@ TEST_CASE("bounding box: the least that holds all set pixels") {
       CHECK(bounding_box(image) == (count(image) == 0 ? PixelBox{} : box));
     }
 }
+
+TEST_CASE("a box of pixels: any and all", "[image]") {
+  Random random(9);
+  for (const auto& [width, height] : {std::pair(64, 20), {70, 33}, {131, 40}})
+    for (const auto& [rx, ry] : {std::pair(0, 0), {1, 2}, {6, 5}, {3, 0}, {70, 9}}) {
+      BitImage image(width, height);
+      for (int i = 0; i < 3; ++i) image.set(width - 1, i);
+      for (int y = 3; y < height - 4; ++y)
+        for (int x = 0; x < width; ++x)
+          if (random.below(100) < (x < width / 2 ? 2u : 99u)) image.set(x, y);
+      const BitImage any = dilate_box(image, rx, ry), all = erode_box(image, rx, ry);
+      bool same = true;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          bool some = false, every = true;
+          for (int j = y - ry; j <= y + ry; ++j)
+            for (int i = x - rx; i <= x + rx; ++i) {
+              const bool is_set = image.contains(i, j) && image(i, j);
+              some = some || is_set;
+              every = every && is_set;
+            }
+          same = same && any(x, y) == some && all(x, y) == every;
+        }
+      INFO(width << " x " << height << ", box " << rx << ", " << ry);
+      CHECK(same);
+      CHECK(complement(complement(any)) == any);  // no bits past the width
+    }
+  CHECK(dilate_box(BitImage(), 2, 2) == BitImage());
+}

@@ -92,4 +92,10 @@ BitImage complement(const BitImage& image);
 /// Every pixel within `radius` pixels (Euclidean, centre to centre) of a set pixel. `radius` >= 0.
 BitImage dilate(const BitImage& image, double radius);
 
+/// Every pixel with a set pixel in the box of `rx` columns and `ry` rows on each side of it.
+BitImage dilate_box(const BitImage& image, int rx, int ry);
+
+/// Every pixel with only set pixels in that box; what lies outside the image is not set.
+BitImage erode_box(const BitImage& image, int rx, int ry);
+
 }  // namespace marrow

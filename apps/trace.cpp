@@ -86,8 +86,7 @@ std::string support_sheet(const VoteGrid& votes) {
 
 std::string solid_sheet(const VoxelGrid& grid, const VoxelSet& solid) {
   std::vector<GridCell> cells;
-  for (std::uint32_t i = 0; i < solid.size(); ++i)
-    if (solid[i]) cells.push_back(cell_of(grid, i, 1));
+  solid.for_each([&](std::uint32_t voxel) { cells.push_back(cell_of(grid, voxel, 1)); });
   return grid_sheet(grid, cells, Brightness::Linear);
 }
 

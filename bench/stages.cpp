@@ -2,6 +2,7 @@
 
 #include <marrow/branch_collapsing.hpp>
 #include <marrow/cycle_check.hpp>
+#include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
 #include <marrow/perceptual_core.hpp>
 #include <marrow/region_growing.hpp>
@@ -102,8 +103,10 @@ void run_hull_solid(const Workload& w) {
 }
 
 void run_hull_thinning(const Workload& w) {
-  const VoxelSet thin_set = thin_by_votes(w.trace.cleaned, w.trace.solid, w.trace.core);
-  keep(prune_leaves(graph_of(w.trace.cleaned, w.trace.solid, thin_set, pixel_of(w)), voxel_of(w)));
+  const ExtractTrace& t = w.trace;
+  const auto depth = distance_transform(t.votes.grid, t.solid);
+  const VoxelSet thin_set = thin_by_votes(t.cleaned, t.solid, depth, t.core);
+  keep(prune_leaves(graph_of(t.cleaned, t.solid, depth, thin_set, pixel_of(w)), voxel_of(w)));
 }
 
 VoteGraph collapse(const Workload& w) {

@@ -50,7 +50,7 @@ VoxelGrid grid_around(std::span<const Vec3> points, double reach, double cell) {
 
 /// Cells with their centre within `reach` of one of the points.
 VoxelSet cells_near(const VoxelGrid& grid, std::span<const Vec3> points, double reach) {
-  VoxelSet near(grid.count(), 0);
+  VoxelSet near(grid);
   const auto range = [&](double coordinate, int cells) {
     const auto cell = [&](double at) {
       return std::clamp(static_cast<int>(at / grid.size), 0, cells - 1);
@@ -66,7 +66,7 @@ VoxelSet cells_near(const VoxelGrid& grid, std::span<const Vec3> points, double 
       for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
           const auto c = grid.index(x, y, z);
-          if (!near[c]) near[c] = squared_length(grid.center(c) - p) <= reach * reach;
+          if (squared_length(grid.center(c) - p) <= reach * reach) near.insert(c);
         }
   }
   return near;
@@ -78,10 +78,13 @@ VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
   VoxelSet inside = cells_near(grid, points, reach);
   std::vector<std::uint32_t> cells;
   std::vector<Vec3> centres;
-  for (std::uint32_t c = 0; c < grid.count(); ++c)
-    if (inside[c]) cells.push_back(c), centres.push_back(grid.center(c));
+  inside.for_each([&](std::uint32_t c) {
+    cells.push_back(c);
+    centres.push_back(grid.center(c));
+  });
   const auto sides = surface.of(centres);
-  for (std::size_t i = 0; i < cells.size(); ++i) inside[cells[i]] = sides[i].side == Side::Inside;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (sides[i].side != Side::Inside) inside.erase(cells[i]);
   return inside;
 }
 

@@ -4,6 +4,7 @@
 #include <marrow/cycle_check.hpp>
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
+#include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
 #include <marrow/perceptual_core.hpp>
 #include <marrow/region_growing.hpp>
@@ -175,14 +176,14 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
 
   // 4.2: matching and voting.
   record.begin("matching", 0.5);
-  VoteGrid matched = record.keep(
+  const VoteGrid matched = record.keep(
       &Trace::votes, match(normalized_shape, views, resolution.grid, options.max_threads));
   const VoxelGrid grid = matched.grid;
   const double voxel = grid.size;
 
   // 4.3: cleaning by the visual hull, and the tree.
   record.begin("cleaning", 0.55);
-  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid(std::move(matched), views));
+  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid(matched, views));
   record.begin("region growing", 0.65);
   VoteGraph graph = record.keep(&Trace::tree, grow_forest(votes, pixel));
 
@@ -194,9 +195,10 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
   record.begin("hull topology", 0.72);
   const VoxelSet solid = record.keep(
       &Trace::solid, supported_solid(grid, majority(grid, hull_solid(grid, views)), votes, graph));
-  const VoxelSet thin_set = thin_by_votes(votes, solid, graph);
-  graph =
-      record.keep(&Trace::thinned, prune_leaves(graph_of(votes, solid, thin_set, pixel), voxel));
+  const auto depth = distance_transform(grid, solid);
+  const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
+  graph = record.keep(&Trace::thinned,
+                      prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), voxel));
 
   // 4.4.2: branch collapse, and what the surface says of cycles.
   record.begin("branch collapse", 0.95);

@@ -5,6 +5,7 @@
 #include <marrow/hull_topology.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 
 #include "live_graph_detail.hpp"
@@ -24,13 +25,6 @@ std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
   for (NodeId n = 0; n < live.size(); ++n)
     if (live.degree(n) <= 1) voxels.push_back(live.node(n).voxel);
   return voxels;
-}
-
-/// Support of every voxel; 0 where nothing voted.
-std::vector<std::uint8_t> support_map(const VoteGrid& votes) {
-  std::vector<std::uint8_t> map(votes.grid.count(), 0);
-  for (const auto& v : votes.votes) map[v.voxel] = v.support;
-  return map;
 }
 
 /// A connected piece of the core outside the hull, and how often it meets the hull.
@@ -70,8 +64,24 @@ void add_core(VoxelSet& hull, const VoteGraph& core) {
     if (seen[n] || before[live.node(n).voxel]) continue;
     const OutsideRun run = outside_run(live, before, n, seen);
     if (run.is_doubtful_bridge()) continue;
-    for (const NodeId m : run.nodes) hull[live.node(m).voxel] = 1;
+    for (const NodeId m : run.nodes) hull.insert(live.node(m).voxel);
   }
+}
+
+/// The sum of support over every part of a solid.
+std::vector<long> support_of_parts(const VoxelGrid& grid, const RunParts& parts,
+                                   const std::vector<Vote>& votes) {
+  std::vector<long> sums(parts.count, 0);
+  auto vote = votes.begin();
+  for (std::size_t i = 0; i < parts.runs.size(); ++i) {
+    const VoxelRun& run = parts.runs[i];
+    const std::uint32_t first =
+        run.row * static_cast<std::uint32_t>(grid.nx) + static_cast<std::uint32_t>(run.first);
+    const std::uint32_t end = first + static_cast<std::uint32_t>(run.size());
+    while (vote != votes.end() && vote->voxel < first) ++vote;
+    for (; vote != votes.end() && vote->voxel < end; ++vote) sums[parts.part[i]] += vote->support;
+  }
+  return sums;
 }
 
 /// Orders the edges of a graph by length; a total order.
@@ -101,58 +111,80 @@ bool is_longest(const LiveGraph& graph, const LinkOrder& key, NodeId a, NodeId b
   return false;
 }
 
+/// Calls visit(voxel, place) for every voxel of `part`, with its place among those of `whole`.
+template <class Visit>
+void for_each_place(const VoxelSet& whole, const VoxelSet& part, Visit visit) {
+  std::size_t before = 0;
+  auto word = whole.words().begin();
+  part.for_each_word([&](std::uint32_t first, VoxelSet::Word left) {
+    for (const VoxelSet::Word all = *word; left != 0; left &= left - 1) {
+      const VoxelSet::Word low = left & (~left + 1);
+      visit(first + static_cast<std::uint32_t>(std::countr_zero(left)),
+            before + static_cast<std::size_t>(std::popcount(all & (low - 1))));
+    }
+    if (*word != 0) before += static_cast<std::size_t>(std::popcount(*word));
+    ++word;
+  });
+}
+
+/// The voxels of a thin set as nodes, in their order. `depth` is that of the solid it comes from.
+std::vector<VoteGraph::Node> nodes_of(const VoteGrid& votes, const VoxelSet& solid,
+                                      std::span<const ChamferDistance> depth,
+                                      const VoxelSet& thin_set, double pixel) {
+  const VoxelGrid& grid = votes.grid;
+  std::vector<VoteGraph::Node> nodes;
+  auto vote = votes.votes.begin();
+  for_each_place(solid, thin_set, [&](std::uint32_t voxel, std::size_t place) {
+    while (vote != votes.votes.end() && vote->voxel < voxel) ++vote;
+    const bool voted = vote != votes.votes.end() && vote->voxel == voxel;
+    const double radius =
+        voted ? pixels_of(vote->radius) * pixel : pixels_of(depth[place]) * grid.size;
+    nodes.push_back({voted ? vote->position : grid.center(voxel), std::max(radius, grid.size),
+                     voted ? int{vote->support} : 0, voted ? int{vote->broad_support} : 0, voxel});
+  });
+  return nodes;
+}
+
 }  // namespace
 
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
                          const VoteGraph& core) {
   add_core(hull, core);
-  const auto support = support_map(votes);
-  const auto parts = voxel_parts(grid, hull);
-  std::vector<long> sums;
-  for (const auto& part : parts) {
-    long sum = 0;
-    for (const auto v : part) sum += support[v];
-    sums.push_back(sum);
-  }
+  const RunParts parts = run_parts(hull);
+  const std::vector<long> sums = support_of_parts(grid, parts, votes.votes);
   const long greatest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (static_cast<double>(sums[i]) < kLeastPart * static_cast<double>(greatest))
-      for (const auto v : parts[i]) hull[v] = 0;
+  for (std::size_t i = 0; i < parts.runs.size(); ++i) {
+    const bool is_weak =
+        static_cast<double>(sums[parts.part[i]]) < kLeastPart * static_cast<double>(greatest);
+    if (is_weak) erase(hull, parts.runs[i]);
+  }
   return hull;
 }
 
-VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid, const VoteGraph& core) {
-  std::vector<std::uint16_t> key = distance_transform(votes.grid, solid);
+VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid,
+                       std::span<const ChamferDistance> depth, const VoteGraph& core) {
+  std::vector<std::uint16_t> key(depth.begin(), depth.end());
   for (auto& k : key) k = std::min<std::uint16_t>(k, kVotedKey - 1);
+  VoxelSet voted(votes.grid);
   for (const auto& v : votes.votes)
-    key[v.voxel] = static_cast<std::uint16_t>(kVotedKey + v.support);
+    if (solid[v.voxel]) voted.insert(v.voxel);
+  auto vote = votes.votes.begin();
+  for_each_place(solid, voted, [&](std::uint32_t voxel, std::size_t place) {
+    while (vote->voxel < voxel) ++vote;
+    key[place] = static_cast<std::uint16_t>(kVotedKey + vote->support);
+  });
   return thin(votes.grid, solid, key, leaf_voxels(core));
 }
 
-VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid, const VoxelSet& thin_set,
-                   double pixel) {
-  const VoxelGrid& grid = votes.grid;
-  const auto depth = distance_transform(grid, solid);
-  VoteGraph dense;
-  std::vector<NodeId> node_at(grid.count(), ~NodeId{0});
-  auto vote = votes.votes.begin();
-  for (std::uint32_t v = 0; v < thin_set.size(); ++v) {
-    if (!thin_set[v]) continue;
-    while (vote != votes.votes.end() && vote->voxel < v) ++vote;
-    node_at[v] = static_cast<NodeId>(dense.nodes.size());
-    const bool voted = vote != votes.votes.end() && vote->voxel == v;
-    const double radius = voted ? pixels_of(vote->radius) * pixel : pixels_of(depth[v]) * grid.size;
-    dense.nodes.push_back({voted ? vote->position : grid.center(v), std::max(radius, grid.size),
-                           voted ? int{vote->support} : 0, voted ? int{vote->broad_support} : 0,
-                           v});
-  }
-  for (const auto& node : dense.nodes)
-    for_neighbours(grid, node.voxel, [&](std::uint32_t n) {
-      if (thin_set[n] && n > node.voxel) dense.edges.push_back({node_at[node.voxel], node_at[n]});
-    });
+VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid,
+                   std::span<const ChamferDistance> depth, const VoxelSet& thin_set, double pixel) {
+  VoteGraph dense{nodes_of(votes, solid, depth, thin_set, pixel), {}};
+  std::vector<std::uint32_t> voxels;
+  for (const auto& node : dense.nodes) voxels.push_back(node.voxel);
+  dense.edges = neighbour_pairs(votes.grid, voxels);
 
   const LiveGraph live(dense);
-  const LinkOrder key(grid, dense);
+  const LinkOrder key(votes.grid, dense);
   VoteGraph graph{dense.nodes, {}};
   for (const auto& [a, b] : dense.edges)
     if (!is_longest(live, key, a, b)) graph.edges.push_back({a, b});

@@ -4,9 +4,10 @@
 #include <marrow/region_growing.hpp>
 
 #include <algorithm>
-#include <queue>
-#include <tuple>
+#include <numeric>
+#include <span>
 
+#include "rank_queue_detail.hpp"
 #include "voxel_parts_detail.hpp"
 
 namespace marrow {
@@ -15,98 +16,145 @@ namespace {
 
 constexpr int kLeastSupport = 8;       // of 42 images
 constexpr double kLeastRegion = 0.02;  // of the greatest region's sum of support
-constexpr std::uint32_t kNoVote = ~0u;
+constexpr std::uint32_t kNone = ~0u;
 
-/// Votes by rank: rank 0 is the strongest. A total order, so that growth is the same everywhere.
-std::vector<std::uint32_t> ranked(const std::vector<Vote>& votes) {
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < votes.size(); ++i)
-    if (votes[i].support >= kLeastSupport) order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto key = [&](std::uint32_t i) {
-      const Vote& v = votes[i];
-      return std::tuple(-int{v.support}, ~v.count, -int{v.radius}, v.voxel);
-    };
-    return key(a) < key(b);
+/// A vote that grows, by its place among all votes, and what it is ranked by.
+struct Candidate {
+  std::uint64_t strength;
+  std::uint32_t vote;
+};
+
+/// The candidates in the order of the votes.
+std::vector<Candidate> candidates(const std::vector<Vote>& votes) {
+  std::vector<Candidate> result;
+  for (std::uint32_t i = 0; i < votes.size(); ++i) {
+    const Vote& v = votes[i];
+    if (v.support >= kLeastSupport)
+      result.push_back(
+          {std::uint64_t{v.support} << 48 | std::uint64_t{v.count} << 16 | v.radius, i});
+  }
+  return result;
+}
+
+/// The places of candidates by rank: 0 is the strongest. A total order, so that growth is the same
+/// everywhere.
+std::vector<std::uint32_t> ranked(const std::vector<Candidate>& candidates) {
+  std::vector<std::uint32_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return candidates[a].strength > candidates[b].strength;
   });
   return order;
 }
 
+/// The neighbours of every voxel in one array.
+class Neighbours {
+ public:
+  Neighbours(std::size_t n, const std::vector<CurveSkeleton::Edge>& pairs)
+      : start_(n + 1, 0), neighbour_(2 * pairs.size()) {
+    for (const auto& [a, b] : pairs) ++start_[a], ++start_[b];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    for (const auto& [a, b] : pairs) neighbour_[--start_[a]] = b, neighbour_[--start_[b]] = a;
+  }
+
+  std::span<const std::uint32_t> of(std::uint32_t i) const {
+    return std::span(neighbour_).subspan(start_[i], start_[i + 1] - start_[i]);
+  }
+
+ private:
+  std::vector<std::uint32_t> start_, neighbour_;
+};
+
+/// Voxels that joined one after the other: begin <= i < end of the growth.
 struct Region {
-  VoteGraph tree;
+  std::size_t begin = 0, end = 0;
   long support = 0;
+};
+
+/// A voxel that joined, and the one before it that it hangs on.
+struct Joined {
+  std::uint32_t vote, parent;
 };
 
 class Growth {
  public:
-  Growth(const VoteGrid& votes, double pixel)
-      : votes_(votes),
-        pixel_(pixel),
-        order_(ranked(votes.votes)),
-        rank_at_(votes.grid.count(), kNoVote),
-        node_of_(order_.size(), kNoVote) {
-    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_at_[votes.votes[order_[r]].voxel] = r;
+  explicit Growth(const VoteGrid& votes)
+      : votes_(votes.votes),
+        candidates_(candidates(votes_)),
+        order_(ranked(candidates_)),
+        rank_(order_.size()),
+        neighbours_(order_.size(), neighbour_pairs(votes.grid, voxels())),
+        parent_(order_.size(), kNone),
+        place_(order_.size(), kNone),
+        frontier_(order_.size()) {
+    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
+    for (std::uint32_t seed = 0; seed < order_.size(); ++seed)
+      if (place_[seed] == kNone) grow_from(seed);
   }
 
-  std::vector<Region> grow() {
-    std::vector<Region> regions;
-    for (std::uint32_t seed = 0; seed < order_.size(); ++seed)
-      if (node_of_[seed] == kNoVote) regions.push_back(grow_from(seed));
-    return regions;
-  }
+  const std::vector<Region>& regions() const { return regions_; }
+  const std::vector<Joined>& joined() const { return joined_; }
 
  private:
-  Region grow_from(std::uint32_t seed) {
-    Region region;
-    // The frontier holds (rank, parent's rank): the strongest voxel joins first, and hangs on the
-    // strongest of its neighbours that have joined.
-    std::priority_queue<std::pair<std::uint32_t, std::uint32_t>,
-                        std::vector<std::pair<std::uint32_t, std::uint32_t>>, std::greater<>>
-        frontier;
-    frontier.push({seed, kNoVote});
-    while (!frontier.empty()) {
-      // No structured binding: clang 14 cannot capture one.
-      const std::uint32_t rank = frontier.top().first, parent = frontier.top().second;
-      frontier.pop();
-      if (node_of_[rank] != kNoVote) continue;
-      const Vote& vote = votes_.votes[order_[rank]];
-      const auto id = static_cast<NodeId>(region.tree.nodes.size());
-      node_of_[rank] = id;
-      // Radii finer than a voxel mean nothing to the graph.
-      const double radius = std::max(pixels_of(vote.radius) * pixel_, votes_.grid.size);
-      region.tree.nodes.push_back(
-          {vote.position, radius, vote.support, vote.broad_support, vote.voxel});
-      if (parent != kNoVote) region.tree.edges.push_back({node_of_[parent], id});
-      region.support += vote.support;
-      for_neighbours(votes_.grid, vote.voxel, [&](std::uint32_t voxel) {
-        const std::uint32_t n = rank_at_[voxel];
-        if (n != kNoVote && node_of_[n] == kNoVote) frontier.push({n, rank});
-      });
-    }
-    return region;
+  std::vector<std::uint32_t> voxels() const {
+    std::vector<std::uint32_t> result;
+    for (const auto& c : candidates_) result.push_back(votes_[c.vote].voxel);
+    return result;
   }
 
-  const VoteGrid& votes_;
-  double pixel_;
-  std::vector<std::uint32_t> order_, rank_at_, node_of_;
-};
+  /// The strongest voxel of the frontier joins first, and hangs on the strongest of its neighbours
+  /// that have joined.
+  void grow_from(std::uint32_t seed) {
+    Region region{joined_.size(), 0, 0};
+    frontier_.push(seed);
+    while (!frontier_.empty()) {
+      const std::uint32_t rank = frontier_.pop(), candidate = order_[rank];
+      place_[rank] = static_cast<std::uint32_t>(joined_.size());
+      const std::uint32_t parent = parent_[rank];
+      joined_.push_back({candidates_[candidate].vote, parent == kNone ? kNone : place_[parent]});
+      region.support += votes_[joined_.back().vote].support;
+      for (const std::uint32_t neighbour : neighbours_.of(candidate)) {
+        const std::uint32_t n = rank_[neighbour];
+        if (place_[n] != kNone) continue;
+        parent_[n] = std::min(parent_[n], rank);
+        frontier_.push(n);
+      }
+    }
+    region.end = joined_.size();
+    regions_.push_back(region);
+  }
 
-void append(VoteGraph& graph, const VoteGraph& part) {
-  const auto base = static_cast<NodeId>(graph.nodes.size());
-  graph.nodes.insert(graph.nodes.end(), part.nodes.begin(), part.nodes.end());
-  for (const auto& [a, b] : part.edges) graph.edges.push_back({a + base, b + base});
-}
+  const std::vector<Vote>& votes_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> order_, rank_;  // candidates by rank, and back
+  Neighbours neighbours_;
+  std::vector<std::uint32_t> parent_, place_;  // by rank: best neighbour so far, place in joined_
+  RankQueue frontier_;
+  std::vector<Region> regions_;
+  std::vector<Joined> joined_;
+};
 
 }  // namespace
 
 VoteGraph grow_spanning_tree(const VoteGrid& votes, double pixel) {
-  const auto regions = Growth(votes, pixel).grow();
+  const Growth growth(votes);
   long greatest = 0;
-  for (const auto& r : regions) greatest = std::max(greatest, r.support);
+  for (const auto& r : growth.regions()) greatest = std::max(greatest, r.support);
   VoteGraph forest;
-  for (const auto& r : regions)
-    if (static_cast<double>(r.support) >= kLeastRegion * static_cast<double>(greatest))
-      append(forest, r.tree);
+  for (const auto& r : growth.regions()) {
+    if (static_cast<double>(r.support) < kLeastRegion * static_cast<double>(greatest)) continue;
+    const std::size_t shift = r.begin - forest.nodes.size();
+    for (std::size_t i = r.begin; i < r.end; ++i) {
+      const auto [index, parent] = growth.joined()[i];
+      const Vote& vote = votes.votes[index];
+      // Radii finer than a voxel mean nothing to the graph.
+      const double radius = std::max(pixels_of(vote.radius) * pixel, votes.grid.size);
+      if (parent != kNone)
+        forest.edges.push_back(
+            {static_cast<NodeId>(parent - shift), static_cast<NodeId>(i - shift)});
+      forest.nodes.push_back({vote.position, radius, vote.support, vote.broad_support, vote.voxel});
+    }
+  }
   return forest;
 }
 

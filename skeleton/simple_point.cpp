@@ -7,67 +7,82 @@ namespace marrow {
 
 namespace {
 
-struct Offset {
-  int x, y, z;
-};
-
-constexpr Offset offset_of(int bit) {
-  const int i = bit < 13 ? bit : bit + 1;
-  return {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+/// The neighbours at offsets whose coordinate on an axis (stride 1, 3 or 9) is -1, 0 or 1.
+constexpr Neighbourhood slice(int stride, int coordinate) {
+  Neighbourhood bits = 0;
+  for (int i = 0; i < 27; ++i)
+    if (i / stride % 3 == coordinate + 1) bits |= Neighbourhood{1} << i;
+  return bits;
 }
 
-constexpr int absolute(int v) { return v < 0 ? -v : v; }
-constexpr int steps(const Offset& o) { return absolute(o.x) + absolute(o.y) + absolute(o.z); }
+constexpr Neighbourhood kNotLowX = ~slice(1, -1), kNotHighX = ~slice(1, 1),
+                        kNotLowY = ~slice(3, -1), kNotHighY = ~slice(3, 1),
+                        kNotLowZ = ~slice(9, -1), kNotHighZ = ~slice(9, 1);
 
-constexpr Neighbourhood ring(int greatest_steps) {
-  Neighbourhood mask = 0;
-  for (int i = 0; i < 26; ++i)
-    if (steps(offset_of(i)) <= greatest_steps) mask |= Neighbourhood{1} << i;
-  return mask;
+/// The neighbours that differ from the voxel in at most `most` coordinates, without the voxel.
+constexpr Neighbourhood ring(int most) {
+  Neighbourhood bits = 0;
+  for (int i = 0; i < 27; ++i)
+    if (i != 13 && (i % 3 != 1) + (i / 3 % 3 != 1) + (i / 9 != 1) <= most)
+      bits |= Neighbourhood{1} << i;
+  return bits;
 }
 
 constexpr Neighbourhood kFaces = ring(1), kFacesAndEdges = ring(2), kAll = ring(3);
 
-/// For every neighbour, those adjacent to it: by 26-adjacency, or by 6-adjacency.
-constexpr std::array<Neighbourhood, 26> adjacency(bool by_face) {
-  std::array<Neighbourhood, 26> table{};
-  for (int i = 0; i < 26; ++i)
-    for (int j = 0; j < 26; ++j) {
-      const Offset a = offset_of(i), b = offset_of(j), d{a.x - b.x, a.y - b.y, a.z - b.z};
-      const bool near = absolute(d.x) <= 1 && absolute(d.y) <= 1 && absolute(d.z) <= 1;
-      if (i != j && near && (!by_face || steps(d) == 1))
-        table[static_cast<std::size_t>(i)] |= Neighbourhood{1} << j;
-    }
+constexpr Neighbourhood beside_x(Neighbourhood n) {
+  return (n & kNotHighX) << 1 | (n & kNotLowX) >> 1;
+}
+constexpr Neighbourhood beside_y(Neighbourhood n) {
+  return (n & kNotHighY) << 3 | (n & kNotLowY) >> 3;
+}
+constexpr Neighbourhood beside_z(Neighbourhood n) {
+  return (n & kNotHighZ) << 9 | (n & kNotLowZ) >> 9;
+}
+
+struct By26 {
+  constexpr Neighbourhood operator()(Neighbourhood n) const {
+    n |= beside_x(n);
+    n |= beside_y(n);
+    return n | beside_z(n);
+  }
+};
+struct By6 {
+  constexpr Neighbourhood operator()(Neighbourhood n) const {
+    return n | beside_x(n) | beside_y(n) | beside_z(n);
+  }
+};
+
+/// What a single bit grows to.
+template <class Grow>
+constexpr std::array<Neighbourhood, 27> grown_bits() {
+  std::array<Neighbourhood, 27> table{};
+  for (std::size_t i = 0; i < 27; ++i) table[i] = Grow{}(Neighbourhood{1} << i);
   return table;
 }
 
-constexpr auto kAdjacent26 = adjacency(false);
-constexpr auto kAdjacent6 = adjacency(true);
-
-/// The part of `set` connected to its member `seed` (one bit).
-Neighbourhood connected(Neighbourhood set, Neighbourhood seed,
-                        const std::array<Neighbourhood, 26>& adjacent) {
-  Neighbourhood part = seed, frontier = seed;
-  while (frontier != 0) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(frontier));
-    frontier &= frontier - 1;
-    const Neighbourhood fresh = adjacent[i] & set & ~part;
-    part |= fresh;
-    frontier |= fresh;
+/// Whether all of `targets`, which lie in `set`, are connected in it. Two steps nearly always
+/// decide; a loop from the start would make the processor guess how many.
+template <class Grow>
+bool are_connected(Neighbourhood targets, Neighbourhood set) {
+  static constexpr auto kGrown = grown_bits<Grow>();
+  Neighbourhood part = kGrown[static_cast<std::size_t>(std::countr_zero(targets))] & set;
+  part = Grow{}(part)&set;
+  while ((part & targets) != targets) {
+    const Neighbourhood next = Grow{}(part)&set;
+    if (next == part) return false;
+    part = next;
   }
-  return part;
+  return true;
 }
-
-Neighbourhood lowest_bit(Neighbourhood set) { return set & (~set + 1); }
 
 }  // namespace
 
 bool is_simple(Neighbourhood neighbours) {
-  const Neighbourhood faces_open = ~neighbours & kFaces;
-  if (neighbours == 0 || faces_open == 0) return false;
-  if (connected(neighbours, lowest_bit(neighbours), kAdjacent26) != neighbours) return false;
-  const Neighbourhood open = ~neighbours & kFacesAndEdges & kAll;
-  return (connected(open, lowest_bit(faces_open), kAdjacent6) & faces_open) == faces_open;
+  const Neighbourhood set = neighbours & kAll, open_faces = ~neighbours & kFaces;
+  return set != 0 && open_faces != 0 &&
+         are_connected<By6>(open_faces, ~neighbours & kFacesAndEdges) &&
+         are_connected<By26>(set, set);
 }
 
 }  // namespace marrow

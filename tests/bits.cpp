@@ -90,9 +90,9 @@ Hash hash_of(const VoteGrid& grid) {
   return h;
 }
 
-Hash hash_of(const VoxelSet& set) {
+Hash hash_of(const VoxelGrid& grid, const VoxelSet& set) {
   Hash h;
-  for (const auto flag : set) h.add(flag);
+  for (std::uint32_t v = 0; v < grid.count(); ++v) h.add(static_cast<std::uint8_t>(set[v]));
   return h;
 }
 
@@ -139,7 +139,7 @@ void add_stages(Lines& lines, const std::string& name) {
   add("cleaned", hash_of(t.cleaned));
   add("tree", hash_of(t.tree));
   add("core", hash_of(t.core));
-  add("solid", hash_of(t.solid));
+  add("solid", hash_of(t.votes.grid, t.solid));
   add("thinned", hash_of(t.thinned));
   add("collapsed", hash_of(t.collapsed));
   add("smoothed", hash_of(t.smoothed));

@@ -1,8 +1,14 @@
 #include <marrow/distance_transform.hpp>
+#include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "catch.hpp"
 #include "graphs.hpp"
+#include "random.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -12,13 +18,14 @@ namespace {
 const VoxelGrid kGrid{{-1, -1, -1}, 0.1, 30, 20, 20};
 constexpr double kPixel = 0.03;
 
-void fill(VoxelSet& set, int x0, int x1, int y0, int y1, int z0, int z1, std::uint8_t value = 1) {
+void fill(VoxelSet& set, int x0, int x1, int y0, int y1, int z0, int z1, bool value = true) {
   for (int z = z0; z < z1; ++z)
     for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) set[kGrid.index(x, y, z)] = value;
+      for (int x = x0; x < x1; ++x)
+        value ? set.insert(kGrid.index(x, y, z)) : set.erase(kGrid.index(x, y, z));
 }
 
-VoxelSet empty_set() { return VoxelSet(kGrid.count(), 0); }
+VoxelSet empty_set() { return VoxelSet(kGrid); }
 
 void add_vote(VoteGrid& votes, int x, int y, int z, int support) {
   Vote vote;
@@ -28,7 +35,9 @@ void add_vote(VoteGrid& votes, int x, int y, int z, int support) {
   vote.support = static_cast<std::uint8_t>(support);
   vote.broad_support = static_cast<std::uint8_t>(support);
   vote.position = kGrid.center(vote.voxel) + Vec3{0.01, -0.02, 0.03};
-  votes.votes.push_back(vote);
+  const auto after = std::find_if(votes.votes.begin(), votes.votes.end(),
+                                  [&](const Vote& v) { return v.voxel > vote.voxel; });
+  votes.votes.insert(after, vote);  // in the order of the voxels
 }
 
 /// A core along x through row (10, 10).
@@ -56,7 +65,13 @@ Blocks two_blocks() {
   return b;
 }
 
-long size_of(const VoxelSet& set) { return std::count(set.begin(), set.end(), 1); }
+VoxelSet thinned(const VoteGrid& votes, const VoxelSet& solid, const VoteGraph& core) {
+  return thin_by_votes(votes, solid, distance_transform(kGrid, solid), core);
+}
+
+VoteGraph graph_in(const VoteGrid& votes, const VoxelSet& solid, const VoxelSet& thin_set) {
+  return graph_of(votes, solid, distance_transform(kGrid, solid), thin_set, kPixel);
+}
 
 }  // namespace
 
@@ -64,8 +79,8 @@ TEST_CASE("the core joins the hull, but for a weak bridge", "[hull_topology]") {
   const auto [hull, votes] = two_blocks();
   const auto bridge = kGrid.index(15, 10, 10);
   const VoxelSet strong = supported_solid(kGrid, hull, votes, core_along_x(6, 24, 26));
-  CHECK(size_of(strong) == size_of(hull) + 4);
-  CHECK(strong[bridge] == 1);
+  CHECK(count(strong) == count(hull) + 4);
+  CHECK(strong[bridge]);
   CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 25)) == hull);
 }
 
@@ -80,7 +95,7 @@ TEST_CASE("the mean over a bridge counts", "[hull_topology]") {
   const auto [hull, votes] = two_blocks();
   VoteGraph core = core_along_x(6, 24, 40);
   core.nodes[8].support = 10;  // one of the four of the bridge
-  CHECK(supported_solid(kGrid, hull, votes, core)[kGrid.index(14, 10, 10)] == 1);
+  CHECK(supported_solid(kGrid, hull, votes, core)[kGrid.index(14, 10, 10)]);
   core.nodes[9].support = core.nodes[10].support = 10;
   CHECK(supported_solid(kGrid, hull, votes, core) == hull);
 }
@@ -96,7 +111,7 @@ TEST_CASE("parts with little support go", "[hull_topology]") {
     const VoxelSet solid = supported_solid(kGrid, with_speck, more, {});
     CHECK(solid == (support < 7 ? hull : with_speck));
   }
-  CHECK(size_of(supported_solid(kGrid, empty_set(), {kGrid, {}}, {})) == 0);
+  CHECK(count(supported_solid(kGrid, empty_set(), {kGrid, {}}, {})) == 0);
 }
 
 TEST_CASE("thinning ends on the votes and at the core's leaves", "[hull_topology]") {
@@ -105,15 +120,13 @@ TEST_CASE("thinning ends on the votes and at the core's leaves", "[hull_topology
   VoteGrid votes{kGrid, {}};
   for (int x = 5; x < 25; ++x) add_vote(votes, x, 8, 10, 20);   // not in the middle of the bar,
   for (int x = 5; x < 25; ++x) add_vote(votes, x, 12, 10, 40);  // and the stronger line wins
-  std::sort(votes.votes.begin(), votes.votes.end(),
-            [](const Vote& a, const Vote& b) { return a.voxel < b.voxel; });
   VoteGraph core;
   for (const int x : {5, 24}) {
     const auto voxel = kGrid.index(x, 12, 10);
     core.nodes.push_back({kGrid.center(voxel), 0.1, 40, 40, voxel});
   }
   add_edge(core, 0, 1);
-  const VoxelSet line = thin_by_votes(votes, bar, core);
+  const VoxelSet line = thinned(votes, bar, core);
   VoxelSet expected = empty_set();
   fill(expected, 5, 25, 12, 13, 10, 11);
   CHECK(line == expected);
@@ -122,11 +135,11 @@ TEST_CASE("thinning ends on the votes and at the core's leaves", "[hull_topology
 TEST_CASE("a tunnel of the solid stays a cycle", "[hull_topology]") {
   VoxelSet ring = empty_set();
   fill(ring, 4, 26, 3, 17, 8, 12);
-  fill(ring, 10, 20, 7, 13, 8, 12, 0);
+  fill(ring, 10, 20, 7, 13, 8, 12, false);
   const VoteGrid votes{kGrid, {}};
-  const VoxelSet thin_set = thin_by_votes(votes, ring, {});
-  const VoteGraph graph = graph_of(votes, ring, thin_set, kPixel);
-  CHECK(graph.nodes.size() == static_cast<std::size_t>(size_of(thin_set)));
+  const VoxelSet thin_set = thinned(votes, ring, {});
+  const VoteGraph graph = graph_in(votes, ring, thin_set);
+  CHECK(graph.nodes.size() == count(thin_set));
   CHECK(component_count(counts_of(graph)) == 1);
   CHECK(cycle_count(counts_of(graph)) == 1);
   CHECK(leaf_count(counts_of(graph)) == 0);
@@ -140,7 +153,7 @@ TEST_CASE("nodes of the graph stand where the votes say", "[hull_topology]") {
   VoteGrid votes{kGrid, {}};
   add_vote(votes, 9, 10, 10, 42);  // not in the set
   add_vote(votes, 11, 10, 10, 33);
-  const VoteGraph graph = graph_of(votes, solid, line, kPixel);
+  const VoteGraph graph = graph_in(votes, solid, line);
   REQUIRE(graph.nodes.size() == 3);
   CHECK(graph.edges == std::vector<CurveSkeleton::Edge>{{0, 1}, {1, 2}});
   CHECK(graph.nodes[1].position == votes.votes[1].position);
@@ -156,7 +169,38 @@ TEST_CASE("nodes of the graph stand where the votes say", "[hull_topology]") {
 TEST_CASE("corners of the voxels make no triangles", "[hull_topology]") {
   // An L of three voxels: the diagonal is the longest side.
   VoxelSet corner = empty_set();
-  for (const auto& [x, y] : {std::pair(5, 5), {6, 5}, {6, 6}}) corner[kGrid.index(x, y, 5)] = 1;
-  const VoteGraph graph = graph_of({kGrid, {}}, corner, corner, kPixel);
+  for (const auto& [x, y] : {std::pair(5, 5), {6, 5}, {6, 6}}) corner.insert(kGrid.index(x, y, 5));
+  const VoteGraph graph = graph_in({kGrid, {}}, corner, corner);
   CHECK(graph.edges == std::vector<CurveSkeleton::Edge>{{0, 1}, {1, 2}});
+}
+
+TEST_CASE("of every triangle of voxels the longest side goes", "[hull_topology]") {
+  Random random(1);
+  const VoxelGrid g{{0, 0, 0}, 1, 8, 7, 6};
+  VoxelSet set(g);
+  for (std::uint32_t v = 0; v < g.count(); ++v)
+    if (random.below(100) < 25) set.insert(v);
+  const std::vector<ChamferDistance> depth(count(set), 3);
+  const VoteGraph graph = graph_of({g, {}}, set, depth, set, kPixel);
+  const auto n = static_cast<NodeId>(graph.nodes.size());
+  REQUIRE(n == count(set));
+  const auto length = [&](NodeId a, NodeId b) {
+    const Vec3 d = graph.nodes[a].position - graph.nodes[b].position;
+    return std::tuple(std::lround(squared_length(d)), std::min(a, b), std::max(a, b));
+  };
+  const auto near = [&](NodeId a, NodeId b) {
+    const Vec3 d = graph.nodes[a].position - graph.nodes[b].position;
+    return a != b && std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < 1.5;
+  };
+  std::vector<CurveSkeleton::Edge> expected;
+  for (NodeId a = 0; a < n; ++a)
+    for (NodeId b = a + 1; b < n; ++b) {
+      bool stays = near(a, b);
+      for (NodeId c = 0; c < n && stays; ++c)
+        stays = !(near(a, c) && near(b, c) && length(a, b) > length(a, c) &&
+                  length(a, b) > length(b, c));
+      if (stays) expected.push_back({a, b});
+    }
+  CHECK(expected.size() > 50);
+  CHECK(graph.edges == expected);
 }

@@ -1,8 +1,10 @@
 // The topology of the visual hull, in place of the loop recovery of section 4.4.3.
 #pragma once
 
-#include <marrow/visual_hull.hpp>
 #include <marrow/vote_graph.hpp>
+#include <marrow/voxel_set.hpp>
+
+#include <span>
 
 namespace marrow {
 
@@ -13,13 +15,15 @@ VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& v
                          const VoteGraph& core);
 
 /// Thins the solid, unvoted voxels first by depth, then voted ones by support, with the leaves of
-/// `core` as anchors. What is left has the components, cycles and connections of the solid.
-VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid, const VoteGraph& core);
+/// `core` as anchors. What is left has the components, cycles and connections of the solid. `depth`
+/// is distance_transform() of the solid.
+VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid,
+                       std::span<const ChamferDistance> depth, const VoteGraph& core);
 
-/// The graph of a thin voxel set: 26-adjacency without the longest edge of every triangle. Voted
-/// voxels stand at the mean of their votes, others at their centres, with the radius that the depth
-/// in `solid` gives them. `pixel` is the length of a pixel.
-VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid, const VoxelSet& thin_set,
-                   double pixel);
+/// The graph of a thin part of the solid: 26-adjacency without the longest edge of every triangle.
+/// Voted voxels stand at the mean of their votes, others at their centres, with the radius that
+/// their depth gives them. `pixel` is the length of a pixel.
+VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid,
+                   std::span<const ChamferDistance> depth, const VoxelSet& thin_set, double pixel);
 
 }  // namespace marrow

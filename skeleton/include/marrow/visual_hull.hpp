@@ -3,8 +3,11 @@
 
 #include <marrow/stereo_images.hpp>
 #include <marrow/vote_grid.hpp>
+#include <marrow/voxel_set.hpp>
 
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace marrow {
 
@@ -29,12 +32,10 @@ class Projections {
 /// Drops every vote whose mean position falls outside a silhouette by more than a pixel, and gives
 /// the others their support: the number of images whose medial axis passes within 0.9 voxels (at
 /// least a pixel). The broad support allows a fifth of the radius.
-VoteGrid clean_grid(VoteGrid votes, std::span<const StereoImages> views);
+VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views);
 
-/// One flag per voxel: the visual hull at the grid's resolution.
-using VoxelSet = std::vector<std::uint8_t>;
-
-/// Voxels whose centre lies inside all silhouettes, without the outermost layer of the grid.
+/// Voxels whose centre lies inside all silhouettes, without the outermost layer of the grid, which
+/// lies around the unit ball.
 VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views);
 
 /// A majority vote of 3x3x3 neighbours (14 of 27): without it noise on the surface opens tunnels.

@@ -3,22 +3,40 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
+#include <cstdlib>
+#include <new>
 
 namespace marrow {
 
 namespace {
 
-constexpr double kFixed = 1 << 30;  // fixed point of positions: |position| < 2
-constexpr std::size_t kLeastFold = std::size_t{1} << 18;  // ballots that are summed up at once
+constexpr double kFixed = 1 << 30;       // fixed point of positions: |position| < 2
+constexpr std::uint32_t kNone = 0;       // no cell yet
+constexpr std::uint32_t kPending = ~0u;  // a thread is fetching one
+constexpr std::size_t kBlockX = 16, kBlockY = 8, kBlockZ = 8;  // 1024 voxels: a page of indices
 
 std::int32_t to_fixed(double coordinate) {
   return static_cast<std::int32_t>(std::llrint(coordinate * kFixed));
 }
 
-/// A voxel and where its ballot lies.
+/// Zeroed memory that costs nothing until it is touched.
+template <class T>
+T* zeroed(std::size_t count) {
+  void* memory = std::calloc(count, sizeof(T));
+  if (memory == nullptr) throw std::bad_alloc();
+  return static_cast<T*>(memory);
+}
+
+void raise_to(std::atomic<std::uint32_t>& value, std::uint32_t candidate) {
+  std::uint32_t seen = value.load(std::memory_order_relaxed);
+  while (seen < candidate &&
+         !value.compare_exchange_weak(seen, candidate, std::memory_order_relaxed)) {
+  }
+}
+
+/// A voxel and where what belongs to it lies.
 struct Place {
-  std::uint32_t voxel, ballot;
+  std::uint32_t voxel, index;
 };
 
 /// One pass of a radix sort: stable, by the `bits` bits of the voxel from bit `shift` on.
@@ -52,57 +70,94 @@ VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution) {
   return grid;
 }
 
-void VoteAccumulator::vote(std::span<const Match> matches) {
-  std::vector<Ballot> fresh;
-  fresh.reserve(matches.size());
-  for (const auto& [position, radius] : matches) {
-    const Vec3 p = (position - grid_.origin) / grid_.size;
-    // Off the outermost layer, so that every voted voxel has all its neighbours.
-    const int x = std::clamp(static_cast<int>(p.x), 1, grid_.nx - 2);
-    const int y = std::clamp(static_cast<int>(p.y), 1, grid_.ny - 2);
-    const int z = std::clamp(static_cast<int>(p.z), 1, grid_.nz - 2);
-    fresh.push_back({grid_.index(x, y, z), radius, to_fixed(position.x), to_fixed(position.y),
-                     to_fixed(position.z)});
-  }
-  const std::lock_guard lock(mutex_);
-  // As many as there are sums, so that the work stays in proportion.
-  if (ballots_.size() > std::max(kLeastFold, sums_.size())) fold();
-  ballots_.insert(ballots_.end(), fresh.begin(), fresh.end());
+/// What the matches of one call say of one voxel.
+struct VoteAccumulator::Sum {
+  std::uint32_t voxel, count;
+  std::int64_t x, y, z;
+  ChamferDistance radius;  // the least
+};
+
+void VoteAccumulator::Free::operator()(void* memory) const { std::free(memory); }
+
+VoteAccumulator::VoteAccumulator(const VoxelGrid& grid)
+    : grid_(grid),
+      blocks_x_((static_cast<std::size_t>(grid.nx) + kBlockX - 1) / kBlockX),
+      blocks_y_((static_cast<std::size_t>(grid.ny) + kBlockY - 1) / kBlockY),
+      blocks_z_((static_cast<std::size_t>(grid.nz) + kBlockZ - 1) / kBlockZ),
+      cell_index_(zeroed<std::atomic<std::uint32_t>>(blocks_x_ * blocks_y_ * blocks_z_ * kBlockX *
+                                                     kBlockY * kBlockZ)),
+      cells_(zeroed<Cell>(grid.count() + 1)) {}
+
+/// Off the outermost layer, so that every voted voxel has all its neighbours.
+std::uint32_t VoteAccumulator::voxel_of(const Vec3& position) const {
+  const Vec3 p = (position - grid_.origin) / grid_.size;
+  return grid_.index(std::clamp(static_cast<int>(p.x), 1, grid_.nx - 2),
+                     std::clamp(static_cast<int>(p.y), 1, grid_.ny - 2),
+                     std::clamp(static_cast<int>(p.z), 1, grid_.nz - 2));
 }
 
-/// Moves all ballots into the sums.
-void VoteAccumulator::fold() {
-  std::vector<Place> places(ballots_.size());
-  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = {ballots_[i].voxel, i};
-  sort_by_voxel(places, grid_.count());
-  std::vector<Sum> merged;
-  merged.reserve(sums_.size() + places.size());
-  auto old = sums_.begin();
-  for (auto place = places.begin(); place != places.end();) {
-    const std::uint32_t voxel = place->voxel;
-    while (old != sums_.end() && old->voxel < voxel) merged.push_back(*old++);
-    Sum sum{voxel, 0, 0, 0, 0, 0xffff};
-    if (old != sums_.end() && old->voxel == voxel) sum = *old++;
-    for (; place != places.end() && place->voxel == voxel; ++place) {
-      const Ballot& b = ballots_[place->ballot];
-      ++sum.count;
-      sum.x += b.x, sum.y += b.y, sum.z += b.z;
-      sum.radius = std::min(sum.radius, b.radius);
-    }
-    merged.push_back(sum);
+std::size_t VoteAccumulator::place_of(std::uint32_t voxel) const {
+  const auto x = static_cast<std::size_t>(grid_.x_of(voxel)),
+             y = static_cast<std::size_t>(grid_.y_of(voxel)),
+             z = static_cast<std::size_t>(grid_.z_of(voxel));
+  const std::size_t block = x / kBlockX + blocks_x_ * (y / kBlockY + blocks_y_ * (z / kBlockZ));
+  return x % kBlockX + kBlockX * (y % kBlockY + kBlockY * (z % kBlockZ + kBlockZ * block));
+}
+
+VoteAccumulator::Cell& VoteAccumulator::cell_of(std::uint32_t voxel) {
+  auto& index = cell_index_[place_of(voxel)];
+  std::uint32_t seen = index.load(std::memory_order_acquire);
+  if (seen == kNone && index.compare_exchange_strong(seen, kPending, std::memory_order_acquire)) {
+    seen = 1 + used_cells_.fetch_add(1, std::memory_order_relaxed);
+    cells_[seen].voxel.store(voxel, std::memory_order_relaxed);
+    index.store(seen, std::memory_order_release);
   }
-  merged.insert(merged.end(), old, sums_.end());
-  sums_ = std::move(merged);
-  ballots_.clear();
+  while (seen == kPending) seen = index.load(std::memory_order_acquire);
+  return cells_[seen];
+}
+
+void VoteAccumulator::add(const Sum& sum) {
+  constexpr auto relaxed = std::memory_order_relaxed;
+  Cell& cell = cell_of(sum.voxel);
+  cell.count.fetch_add(sum.count, relaxed);
+  raise_to(cell.inverse_radius, 0xffffu - sum.radius);
+  cell.x.fetch_add(sum.x, relaxed);
+  cell.y.fetch_add(sum.y, relaxed);
+  cell.z.fetch_add(sum.z, relaxed);
+}
+
+/// Matches of one voxel are summed up first: an atomic addition costs more than a place in a sort.
+void VoteAccumulator::vote(std::span<const Match> matches) {
+  std::vector<Place> places;
+  places.reserve(matches.size());
+  for (std::uint32_t i = 0; i < matches.size(); ++i)
+    places.push_back({voxel_of(matches[i].position), i});
+  sort_by_voxel(places, grid_.count());
+  for (auto place = places.begin(); place != places.end();) {
+    Sum sum{place->voxel, 0, 0, 0, 0, 0xffff};
+    for (; place != places.end() && place->voxel == sum.voxel; ++place) {
+      const auto& [position, radius] = matches[place->index];
+      ++sum.count;
+      sum.x += to_fixed(position.x), sum.y += to_fixed(position.y), sum.z += to_fixed(position.z);
+      sum.radius = std::min(sum.radius, radius);
+    }
+    add(sum);
+  }
 }
 
 VoteGrid VoteAccumulator::finish() && {
-  fold();
+  std::vector<Place> places(used_cells_.load());
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = {cells_[i + 1].voxel.load(), i + 1};
+  sort_by_voxel(places, grid_.count());
   VoteGrid result{grid_, {}};
-  result.votes.reserve(sums_.size());
-  for (const Sum& s : sums_) {
-    const Vec3 sum{static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
-    result.votes.push_back({s.voxel, s.count, s.radius, 0, 0, sum / (s.count * kFixed)});
+  result.votes.reserve(places.size());
+  for (const Place& place : places) {
+    const Cell& c = cells_[place.index];
+    const Vec3 sum{static_cast<double>(c.x.load()), static_cast<double>(c.y.load()),
+                   static_cast<double>(c.z.load())};
+    const std::uint32_t count = c.count.load();
+    const auto radius = static_cast<ChamferDistance>(0xffffu - c.inverse_radius.load());
+    result.votes.push_back({place.voxel, count, radius, 0, 0, sum / (count * kFixed)});
   }
   return result;
 }

@@ -3,9 +3,10 @@
 
 #include <marrow/vec.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -71,11 +72,11 @@ struct Match {
   ChamferDistance radius = 0;  ///< the lesser of the two distances
 };
 
-/// Takes votes from many threads at once: integer add and min only, which commute, so that any
-/// schedule gives the same grid.
+/// Takes votes from many threads at once into one grid of atomic cells: integer add and min only,
+/// which commute, so that any schedule gives the same grid.
 class VoteAccumulator {
  public:
-  explicit VoteAccumulator(const VoxelGrid& grid) : grid_(grid) {}
+  explicit VoteAccumulator(const VoxelGrid& grid);
 
   /// One vote for each of the matches. Thread-safe; the more at once, the cheaper.
   void vote(std::span<const Match> matches);
@@ -84,23 +85,30 @@ class VoteAccumulator {
   VoteGrid finish() &&;
 
  private:
-  struct Ballot {
-    std::uint32_t voxel;
-    ChamferDistance radius;
-    std::int32_t x, y, z;  // fixed point
+  struct Cell {
+    std::atomic<std::uint32_t> voxel;
+    std::atomic<std::uint32_t> count;
+    std::atomic<std::uint32_t> inverse_radius;  // 0xffff - radius: zero memory is an empty cell
+    std::atomic<std::int64_t> x, y, z;          // sums in fixed point
   };
-  struct Sum {
-    std::uint32_t voxel, count;
-    std::int64_t x, y, z;
-    ChamferDistance radius;  // the least
+  struct Free {
+    void operator()(void* memory) const;
   };
+  struct Sum;
 
-  void fold();
+  std::uint32_t voxel_of(const Vec3& position) const;
+  std::size_t place_of(std::uint32_t voxel) const;
+  Cell& cell_of(std::uint32_t voxel);
+  void add(const Sum& sum);
 
   VoxelGrid grid_;
-  std::mutex mutex_;
-  std::vector<Ballot> ballots_;  // not yet in the sums
-  std::vector<Sum> sums_;        // by voxel
+  std::size_t blocks_x_ = 0, blocks_y_ = 0, blocks_z_ = 0;
+  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which
+  // cell a voxel gets depends on the schedule, what it holds does not. Voxels that are near each
+  // other have their places in one page, as votes come in clusters.
+  std::unique_ptr<std::atomic<std::uint32_t>[], Free> cell_index_;
+  std::unique_ptr<Cell[], Free> cells_;
+  std::atomic<std::uint32_t> used_cells_{0};
 };
 
 }  // namespace marrow

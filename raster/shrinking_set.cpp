@@ -165,8 +165,8 @@ ShrinkingSet::ShrinkingSet(const DistanceMap& map) {
   const std::ptrdiff_t rows = box.bottom - box.top + 2;  // with one above and one below
   words_.resize(static_cast<std::size_t>(rows * words_per_row_));
   not_deeper_.resize(32 * words_.size());
-  distance_.resize(32 * words_.size() + 1);
-  ChamferDistance* target = distance_.data() + 32 * words_per_row_;
+  distance_.resize(32 * words_.size() + 2 * kMargin);
+  ChamferDistance* target = &distance_[kMargin] + 32 * words_per_row_;
   for (int y = box.top; y < box.bottom; ++y)
     for (int x = box.left; x < box.right; x += kPixels, target += 32)
       if (x > 0 && x + kPixels < map.width())
@@ -174,8 +174,8 @@ ShrinkingSet::ShrinkingSet(const DistanceMap& map) {
       else  // at the edge of the image
         std::copy(map.row(y) + std::max(x - 1, 0),
                   map.row(y) + std::min(x + kPixels + 1, map.width()), target + (x == 0));
-  greatest_distance_ = HWY_DYNAMIC_DISPATCH(classify_all)(distance_.data(), words_per_row_, words_,
-                                                          not_deeper_.data());
+  greatest_distance_ = HWY_DYNAMIC_DISPATCH(classify_all)(&distance_[kMargin], words_per_row_,
+                                                          words_, not_deeper_.data());
   repeat_loose(words_);
 }
 

@@ -30,7 +30,7 @@ class ShrinkingSet {
            1;
   }
   int y_of(Pixel p) const { return top_ + static_cast<int>(p / 32 / words_per_row_) - 1; }
-  ChamferDistance distance(Pixel p) const { return distance_[p]; }
+  ChamferDistance distance(Pixel p) const { return distance_[p + kMargin]; }
 
   bool contains(Pixel p) const { return (words_[p / 32] >> p % 32 & 1) != 0; }
 
@@ -76,6 +76,7 @@ class ShrinkingSet {
 
  private:
   static constexpr int kPixels = 30;
+  static constexpr Pixel kMargin = 32;  // what is around the first and last words is looked at too
   static constexpr std::uint32_t kOwn = 0x7ffffffe;
 
   int left_ = 0, top_ = 0;
@@ -83,7 +84,7 @@ class ShrinkingSet {
   ChamferDistance greatest_distance_ = 0;
   std::array<Pixel, 9> step_;  // modulo 2^32
   std::vector<std::uint64_t> words_;
-  std::vector<ChamferDistance> distance_;
+  std::vector<ChamferDistance> distance_;  // of pixel p at p + kMargin
   std::vector<std::uint16_t> not_deeper_;
 };
 

@@ -25,13 +25,11 @@ compiler() {
   fi
 }
 
-# count: instructions of the extraction. Its kernels run on the instruction set that every machine of
-# the kind has, not on the best of this one.
+# count: instructions of the extraction. Its kernels run on an instruction set that every machine of
+# the kind has and valgrind knows, not on the best of this one.
 count() {
   local simd=()
-  if [ "$(uname -m)" = x86_64 ] && "$marrow" extract --help | grep -q -- --simd; then
-    simd=(--simd SSE2)
-  fi
+  [ "$(uname -m)" != x86_64 ] || simd=(--simd SSE4)
   "$marrow" make hand --resolution 0.5 -o "$work/hand.ply"
   quietly "$work/callgrind.log" valgrind --tool=callgrind --callgrind-out-file="$work/callgrind.out" \
     "$marrow" extract "$work/hand.ply" -o "$work/hand.skel" --image 256 --grid 128 --threads 1 \

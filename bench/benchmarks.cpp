@@ -1,10 +1,11 @@
 // One benchmark for every stage and one for whole extractions, in user CPU time on one thread:
-//   marrow_benchmarks                                     on a few shapes of `marrow make`
-//   marrow_benchmarks --make=hand,plant:4                 on these, the plant with 4 times the
-//   faces marrow_benchmarks --shapes=FOLDER,FILE                on files marrow_benchmarks
-//   --threads=2 --image=512 --grid=128 --per-view
+//   marrow_benchmarks                           on a few shapes of `marrow make`
+//   marrow_benchmarks --make=hand,plant:4       on these, the plant with 4 times the faces
+//   marrow_benchmarks --shapes=FOLDER,FILE      on files
+//   marrow_benchmarks --threads=2 --image=512 --grid=128 --simd=AVX2 --per-view
 // and all that Google Benchmark knows, such as --benchmark_filter=silhouettes.
 #include <marrow/error.hpp>
+#include <marrow/simd.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -130,13 +131,15 @@ std::string machine() {
   return "unknown";
 }
 
-void describe(const ExtractOptions& options) {
+void describe(const BenchRequest& request) {
+  const ExtractOptions& options = request.options;
   benchmark::AddCustomContext("machine", machine());
   benchmark::AddCustomContext("compiler", MARROW_BENCH_COMPILER);
   const int image = options.image_resolution;
   benchmark::AddCustomContext("image", image > 0 ? std::to_string(image) : "as the shape needs");
   benchmark::AddCustomContext("grid", std::to_string(options.grid_resolution));
   benchmark::AddCustomContext("threads", std::to_string(options.max_threads));
+  benchmark::AddCustomContext("simd", request.simd.empty() ? simd_targets()[0] : request.simd);
 }
 
 int run(int argc, char** argv) {
@@ -150,7 +153,8 @@ int run(int argc, char** argv) {
   int count = static_cast<int>(words.size());
   benchmark::Initialize(&count, words.data());
   if (benchmark::ReportUnrecognizedArguments(count, words.data())) return 2;
-  describe(request.options);
+  set_simd_target(request.simd);
+  describe(request);
   add_all(request, std::make_shared<Bench>(request.options));
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

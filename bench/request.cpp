@@ -6,6 +6,7 @@
 #include <analytic_shapes.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -79,6 +80,8 @@ bool take(BenchRequest& request, const std::string& argument) {
     request.options.grid_resolution = number_of<int>(*grid, "--grid");
   } else if (const auto threads = value_of(argument, "threads")) {
     request.options.max_threads = number_of<int>(*threads, "--threads");
+  } else if (const auto simd = value_of(argument, "simd")) {
+    request.simd = *simd;
   } else if (argument == "--per-view") {
     request.per_view = true;
   } else {

@@ -1,10 +1,11 @@
 #include <marrow/vote_grid.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <new>
+
+#include "sparse_array_detail.hpp"
 
 namespace marrow {
 
@@ -13,18 +14,10 @@ namespace {
 constexpr double kFixed = 1 << 30;       // fixed point of positions: |position| < 2
 constexpr std::uint32_t kNone = 0;       // no cell yet
 constexpr std::uint32_t kPending = ~0u;  // a thread is fetching one
-constexpr std::size_t kBlockX = 16, kBlockY = 8, kBlockZ = 8;  // 1024 voxels: a page of indices
+constexpr std::size_t kSide = 8;         // of a block of voxels
 
 std::int32_t to_fixed(double coordinate) {
   return static_cast<std::int32_t>(std::llrint(coordinate * kFixed));
-}
-
-/// Zeroed memory that costs nothing until it is touched.
-template <class T>
-T* zeroed(std::size_t count) {
-  void* memory = std::calloc(count, sizeof(T));
-  if (memory == nullptr) throw std::bad_alloc();
-  return static_cast<T*>(memory);
 }
 
 void raise_to(std::atomic<std::uint32_t>& value, std::uint32_t candidate) {
@@ -70,68 +63,101 @@ VoxelGrid make_voxel_grid(const Vec3& low, const Vec3& high, int resolution) {
   return grid;
 }
 
+namespace {
+
 /// What the matches of one call say of one voxel.
-struct VoteAccumulator::Sum {
+struct Sum {
   std::uint32_t voxel, count;
   std::int64_t x, y, z;
   ChamferDistance radius;  // the least
 };
 
-void VoteAccumulator::Free::operator()(void* memory) const { std::free(memory); }
-
-VoteAccumulator::VoteAccumulator(const VoxelGrid& grid)
-    : grid_(grid),
-      blocks_x_((static_cast<std::size_t>(grid.nx) + kBlockX - 1) / kBlockX),
-      blocks_y_((static_cast<std::size_t>(grid.ny) + kBlockY - 1) / kBlockY),
-      blocks_z_((static_cast<std::size_t>(grid.nz) + kBlockZ - 1) / kBlockZ),
-      cell_index_(zeroed<std::atomic<std::uint32_t>>(blocks_x_ * blocks_y_ * blocks_z_ * kBlockX *
-                                                     kBlockY * kBlockZ)),
-      cells_(zeroed<Cell>(grid.count() + 1)) {}
+/// What all matches say of one voxel.
+struct Cell {
+  std::atomic<std::uint32_t> voxel;
+  std::atomic<std::uint32_t> count;
+  std::atomic<std::uint32_t> inverse_radius;  // 0xffff - radius: zeroes are an empty cell
+  std::atomic<std::int64_t> x, y, z;          // sums in fixed point
+};
 
 /// Off the outermost layer, so that every voted voxel has all its neighbours.
-std::uint32_t VoteAccumulator::voxel_of(const Vec3& position) const {
-  const Vec3 p = (position - grid_.origin) / grid_.size;
-  return grid_.index(std::clamp(static_cast<int>(p.x), 1, grid_.nx - 2),
-                     std::clamp(static_cast<int>(p.y), 1, grid_.ny - 2),
-                     std::clamp(static_cast<int>(p.z), 1, grid_.nz - 2));
+std::uint32_t voxel_at(const VoxelGrid& grid, const Vec3& position) {
+  const Vec3 p = (position - grid.origin) / grid.size;
+  return grid.index(std::clamp(static_cast<int>(p.x), 1, grid.nx - 2),
+                    std::clamp(static_cast<int>(p.y), 1, grid.ny - 2),
+                    std::clamp(static_cast<int>(p.z), 1, grid.nz - 2));
 }
 
-std::size_t VoteAccumulator::place_of(std::uint32_t voxel) const {
-  const auto x = static_cast<std::size_t>(grid_.x_of(voxel)),
-             y = static_cast<std::size_t>(grid_.y_of(voxel)),
-             z = static_cast<std::size_t>(grid_.z_of(voxel));
-  const std::size_t block = x / kBlockX + blocks_x_ * (y / kBlockY + blocks_y_ * (z / kBlockZ));
-  return x % kBlockX + kBlockX * (y % kBlockY + kBlockY * (z % kBlockZ + kBlockZ * block));
+std::size_t blocks_along(int voxels) {
+  return (static_cast<std::size_t>(voxels) + kSide - 1) / kSide;
 }
 
-VoteAccumulator::Cell& VoteAccumulator::cell_of(std::uint32_t voxel) {
-  auto& index = cell_index_[place_of(voxel)];
-  std::uint32_t seen = index.load(std::memory_order_acquire);
-  if (seen == kNone && index.compare_exchange_strong(seen, kPending, std::memory_order_acquire)) {
-    seen = 1 + used_cells_.fetch_add(1, std::memory_order_relaxed);
-    cells_[seen].voxel.store(voxel, std::memory_order_relaxed);
-    index.store(seen, std::memory_order_release);
+}  // namespace
+
+/// The one grid that all views vote in. Cells are handed out as voxels are first voted for; which
+/// cell a voxel gets depends on the schedule, what it holds does not.
+class VoteAccumulator::Cells {
+ public:
+  explicit Cells(const VoxelGrid& grid)
+      : grid_(grid),
+        blocks_x_(blocks_along(grid.nx)),
+        blocks_y_(blocks_along(grid.ny)),
+        cell_of_(blocks_x_ * blocks_y_ * blocks_along(grid.nz) * kSide * kSide * kSide),
+        cells_(grid.count() + 1) {}
+
+  void add(const Sum& sum) {
+    constexpr auto relaxed = std::memory_order_relaxed;
+    Cell& cell = at(sum.voxel);
+    cell.count.fetch_add(sum.count, relaxed);
+    raise_to(cell.inverse_radius, 0xffffu - sum.radius);
+    cell.x.fetch_add(sum.x, relaxed);
+    cell.y.fetch_add(sum.y, relaxed);
+    cell.z.fetch_add(sum.z, relaxed);
   }
-  while (seen == kPending) seen = index.load(std::memory_order_acquire);
-  return cells_[seen];
-}
 
-void VoteAccumulator::add(const Sum& sum) {
-  constexpr auto relaxed = std::memory_order_relaxed;
-  Cell& cell = cell_of(sum.voxel);
-  cell.count.fetch_add(sum.count, relaxed);
-  raise_to(cell.inverse_radius, 0xffffu - sum.radius);
-  cell.x.fetch_add(sum.x, relaxed);
-  cell.y.fetch_add(sum.y, relaxed);
-  cell.z.fetch_add(sum.z, relaxed);
-}
+  std::uint32_t count() const { return used_.load(); }
+  const Cell& operator[](std::uint32_t i) { return cells_[i]; }
+
+ private:
+  /// Voxels that are near each other lie in one block: votes come in clusters.
+  std::size_t place_of(std::uint32_t voxel) const {
+    const auto x = static_cast<std::size_t>(grid_.x_of(voxel)),
+               y = static_cast<std::size_t>(grid_.y_of(voxel)),
+               z = static_cast<std::size_t>(grid_.z_of(voxel));
+    const std::size_t block = x / kSide + blocks_x_ * (y / kSide + blocks_y_ * (z / kSide));
+    return x % kSide + kSide * (y % kSide + kSide * (z % kSide + kSide * block));
+  }
+
+  Cell& at(std::uint32_t voxel) {
+    auto& index = cell_of_[place_of(voxel)];
+    std::uint32_t seen = index.load(std::memory_order_acquire);
+    if (seen == kNone && index.compare_exchange_strong(seen, kPending, std::memory_order_acquire)) {
+      seen = used_.fetch_add(1, std::memory_order_relaxed) + 1;
+      cells_[seen - 1].voxel.store(voxel, std::memory_order_relaxed);
+      index.store(seen, std::memory_order_release);
+    }
+    while (seen == kPending) seen = index.load(std::memory_order_acquire);
+    return cells_[seen - 1];
+  }
+
+  VoxelGrid grid_;
+  std::size_t blocks_x_, blocks_y_;
+  SparseArray<std::atomic<std::uint32_t>, kSide * kSide * kSide> cell_of_;  // 1 and up
+  SparseArray<Cell, 1024> cells_;
+  std::atomic<std::uint32_t> used_{0};
+};
+
+VoteAccumulator::VoteAccumulator(const VoxelGrid& grid)
+    : grid_(grid), cells_(std::make_unique<Cells>(grid)) {}
+
+VoteAccumulator::~VoteAccumulator() = default;
 
 /// Matches of one voxel are summed up first: an atomic addition costs more than a place in a sort.
 void VoteAccumulator::vote(std::span<const Match> matches) {
   std::vector<Place> places;
   places.reserve(matches.size());
   for (std::uint32_t i = 0; i < matches.size(); ++i)
-    places.push_back({voxel_of(matches[i].position), i});
+    places.push_back({voxel_at(grid_, matches[i].position), i});
   sort_by_voxel(places, grid_.count());
   for (auto place = places.begin(); place != places.end();) {
     Sum sum{place->voxel, 0, 0, 0, 0, 0xffff};
@@ -141,18 +167,19 @@ void VoteAccumulator::vote(std::span<const Match> matches) {
       sum.x += to_fixed(position.x), sum.y += to_fixed(position.y), sum.z += to_fixed(position.z);
       sum.radius = std::min(sum.radius, radius);
     }
-    add(sum);
+    cells_->add(sum);
   }
 }
 
 VoteGrid VoteAccumulator::finish() && {
-  std::vector<Place> places(used_cells_.load());
-  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = {cells_[i + 1].voxel.load(), i + 1};
+  Cells& cells = *cells_;
+  std::vector<Place> places(cells.count());
+  for (std::uint32_t i = 0; i < places.size(); ++i) places[i] = {cells[i].voxel.load(), i};
   sort_by_voxel(places, grid_.count());
   VoteGrid result{grid_, {}};
   result.votes.reserve(places.size());
   for (const Place& place : places) {
-    const Cell& c = cells_[place.index];
+    const Cell& c = cells[place.index];
     const Vec3 sum{static_cast<double>(c.x.load()), static_cast<double>(c.y.load()),
                    static_cast<double>(c.z.load())};
     const std::uint32_t count = c.count.load();

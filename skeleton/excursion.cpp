@@ -88,6 +88,17 @@ VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
   return inside;
 }
 
+/// Calls visit(index) for the 26 neighbours of a cell that lie in the grid.
+template <class Visit>
+void for_neighbours(const VoxelGrid& g, std::uint32_t cell, Visit visit) {
+  const int x = g.x_of(cell), y = g.y_of(cell), z = g.z_of(cell);
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if ((dx != 0 || dy != 0 || dz != 0) && g.contains(x + dx, y + dy, z + dz))
+          visit(g.index(x + dx, y + dy, z + dz));
+}
+
 /// Whether a way through the cells leads from one end of an excursion to the other. Takes the cells
 /// that it visits out.
 bool leads_through(const VoxelGrid& grid, VoxelSet& cells, const Vec3& from, const Vec3& to) {
@@ -95,12 +106,14 @@ bool leads_through(const VoxelGrid& grid, VoxelSet& cells, const Vec3& from, con
     return squared_length(grid.center(c) - end) <= 3 * grid.size * grid.size;
   };
   std::vector<std::uint32_t> visited;
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
-    if (cells[c] && touches(c, from)) cells[c] = 0, visited.push_back(c);
+  cells.for_each([&](std::uint32_t c) {
+    if (touches(c, from)) visited.push_back(c);
+  });
+  for (const auto c : visited) cells.erase(c);
   for (std::size_t k = 0; k < visited.size(); ++k) {
     if (touches(visited[k], to)) return true;
     for_neighbours(grid, visited[k], [&](std::uint32_t n) {
-      if (cells[n]) cells[n] = 0, visited.push_back(n);
+      if (cells[n]) cells.erase(n), visited.push_back(n);
     });
   }
   return false;

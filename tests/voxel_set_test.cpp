@@ -66,8 +66,7 @@ TEST_CASE("runs of voxels are as long as can be", "[voxel_set]") {
       for (const VoxelRun& run : voxel_runs(set)) {
         ++runs;
         const std::uint32_t row = run.row * static_cast<std::uint32_t>(grid.nx);
-        for (int x = run.first; x < run.end; ++x)
-          CHECK(set[row + static_cast<std::uint32_t>(x)]);
+        for (int x = run.first; x < run.end; ++x) CHECK(set[row + static_cast<std::uint32_t>(x)]);
         erase(rest, run);
       }
       for (std::uint32_t v = 0; v < grid.count(); ++v)

@@ -3,7 +3,6 @@
 
 #include <marrow/vec.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -77,6 +76,7 @@ struct Match {
 class VoteAccumulator {
  public:
   explicit VoteAccumulator(const VoxelGrid& grid);
+  ~VoteAccumulator();
 
   /// One vote for each of the matches. Thread-safe; the more at once, the cheaper.
   void vote(std::span<const Match> matches);
@@ -85,30 +85,10 @@ class VoteAccumulator {
   VoteGrid finish() &&;
 
  private:
-  struct Cell {
-    std::atomic<std::uint32_t> voxel;
-    std::atomic<std::uint32_t> count;
-    std::atomic<std::uint32_t> inverse_radius;  // 0xffff - radius: zero memory is an empty cell
-    std::atomic<std::int64_t> x, y, z;          // sums in fixed point
-  };
-  struct Free {
-    void operator()(void* memory) const;
-  };
-  struct Sum;
-
-  std::uint32_t voxel_of(const Vec3& position) const;
-  std::size_t place_of(std::uint32_t voxel) const;
-  Cell& cell_of(std::uint32_t voxel);
-  void add(const Sum& sum);
+  class Cells;
 
   VoxelGrid grid_;
-  std::size_t blocks_x_ = 0, blocks_y_ = 0, blocks_z_ = 0;
-  // Cells are handed out as voxels are first voted for: only what is used is ever touched. Which
-  // cell a voxel gets depends on the schedule, what it holds does not. Voxels that are near each
-  // other have their places in one page, as votes come in clusters.
-  std::unique_ptr<std::atomic<std::uint32_t>[], Free> cell_index_;
-  std::unique_ptr<Cell[], Free> cells_;
-  std::atomic<std::uint32_t> used_cells_{0};
+  std::unique_ptr<Cells> cells_;
 };
 
 }  // namespace marrow

@@ -79,6 +79,8 @@ void weigh_by_edges(const std::array<Corners, 3>& p, Row& w) {
   }
 }
 
+void weigh_alike(const std::array<Corners, 3>&, Row& w) { w.fill(0x1p20); }
+
 void add_block(Moments& m, const std::array<Corners, 3>& p, const Row& w) {
   const RoundedSums sum(w);
   m.area += sum([&](std::size_t k) { return w[k] * 0x1p10; });
@@ -139,6 +141,7 @@ LatticeSurface::LatticeSurface(const Shape& shape, double prescale, const Vec3& 
   }
   weigh_triangles(weigh_by_area);
   if (moments_.area == 0) weigh_triangles(weigh_by_edges);
+  if (moments_.area == 0) weigh_triangles(weigh_alike);
 }
 
 template <class Weigh>
@@ -157,6 +160,7 @@ void LatticeSurface::weigh_triangles(Weigh weigh) {
     }
     Row w;
     weigh(p, w);
+    std::fill(w.begin() + static_cast<std::ptrdiff_t>(count), w.end(), 0.0);
     add_block(moments_, p, w);
     std::copy_n(w.begin(), count, weights_.begin() + static_cast<std::ptrdiff_t>(first));
   });

@@ -35,7 +35,8 @@ class LatticeSurface {
   /// side. `shape` must outlive this.
   LatticeSurface(const Shape& shape, double prescale, const Vec3& center, double longest_side);
 
-  /// Weighted by area; where all triangles are needles, by the lengths of their edges.
+  /// Weighted by area; where all triangles are needles, by the lengths of their edges; where the
+  /// corners of all of them coincide, each one the same.
   const Moments& moments() const { return moments_; }
 
   /// The third central moment along each of two axes, by the same weights.

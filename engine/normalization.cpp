@@ -1,6 +1,7 @@
 #include <marrow/bounds.hpp>
 #include <marrow/error.hpp>
 #include <marrow/normalization.hpp>
+#include <marrow/point_spacing.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "closure_detail.hpp"
 #include "eigen_detail.hpp"
 #include "lattice_surface_detail.hpp"
+#include "prescale_detail.hpp"
 #include "used_points_detail.hpp"
 
 namespace marrow {
@@ -16,15 +18,6 @@ namespace {
 
 constexpr double kSameMoment = 1e-5;  // relative gap under which two moments coincide
 constexpr double kNoSkew = 1e-4;      // third moment, relative, under which it vanishes
-
-/// A power of two that brings the largest coordinate near 1.
-double prescale_of(const Bounds& box) {
-  double largest = 0;
-  for (const Vec3& p : {box.low, box.high})
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (largest == 0) return 1;
-  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1020, 1020));
-}
 
 /// The input axis that `subspace` (an orthogonal complement given by its normal, or all of space
 /// for a zero normal) holds best, projected into it.
@@ -94,11 +87,8 @@ std::vector<Triangle> renumbered(const Shape& shape, const std::vector<std::uint
   return triangles;
 }
 
-}  // namespace
-
-Normalization normalize(const Shape& shape) {
-  if (shape.triangles.empty())
-    throw Error(ErrorKind::Empty, "the shape has no faces; give a mesh with at least one face");
+/// The frame of a shape, which must have triangles.
+Normalization normalize_triangles(const Shape& shape) {
   const auto used = used_points(shape);
   Bounds box;
   for_used_points(shape, used, [&](const Vec3& p) { box.add(p); });
@@ -125,8 +115,26 @@ Normalization normalize(const Shape& shape) {
   return n;
 }
 
-NormalizedShape apply(const Normalization& normalization, const Shape& shape) {
-  const auto used = used_points(shape);
+}  // namespace
+
+Normalization normalize(const Shape& shape, std::span<const double> spacing) {
+  if (shape.points.empty())
+    throw Error(ErrorKind::Empty, "the shape has no points; give a mesh or a point cloud");
+  if (!shape.is_point_cloud()) return normalize_triangles(shape);
+  Normalization n = normalize_triangles(with_point_triangles(shape, spacing));
+  for (std::size_t i = 0; i < spacing.size(); ++i)
+    if (spacing[i] > 0)
+      n.radius = std::max(
+          n.radius, length(shape.points[i] * n.prescale - n.center) + spacing[i] * n.prescale);
+  return n;
+}
+
+Normalization normalize(const Shape& shape) { return normalize(shape, point_spacing(shape)); }
+
+NormalizedShape apply(const Normalization& normalization, const Shape& shape,
+                      std::span<const double> spacing) {
+  const bool is_cloud = shape.is_point_cloud();
+  const auto used = is_cloud ? used_points(spacing) : used_points(shape);
   NormalizedShape result;
   const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   for (auto* axis : {&result.x, &result.y, &result.z}) axis->resize(count);
@@ -140,13 +148,30 @@ NormalizedShape apply(const Normalization& normalization, const Shape& shape) {
     result.z[next] = static_cast<float>(q.z);
     ++next;
   });
-  result.triangles = renumbered(shape, used);
   result.low = box.low;
   result.high = box.high;
+  if (is_cloud) {
+    const double scale = normalization.prescale / normalization.radius;
+    for (const double d : spacing)
+      if (d > 0) result.spacing.push_back(static_cast<float>(d * scale));
+    return result;
+  }
+  result.triangles = renumbered(shape, used);
   const Closure closure = closure_of(shape);
   result.closed = closure.closed;
   result.oriented = closure.oriented;
   return result;
+}
+
+double median_spacing(const NormalizedShape& cloud) {
+  std::vector<float> spacing = cloud.spacing;
+  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+  std::nth_element(spacing.begin(), middle, spacing.end());
+  return static_cast<double>(*middle);
+}
+
+NormalizedShape apply(const Normalization& normalization, const Shape& shape) {
+  return apply(normalization, shape, point_spacing(shape));
 }
 
 }  // namespace marrow

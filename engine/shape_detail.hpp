@@ -25,10 +25,16 @@ Shape parse_obj(const Source& source);
 Shape parse_ply(const Source& source);
 Shape parse_stl(const Source& source);
 Shape parse_off(const Source& source);
+Shape parse_xyz(const Source& source);
+Shape parse_pcd(const Source& source);  // is not written
 std::string format_obj(const Shape& shape);
 std::string format_ply(const Shape& shape);
 std::string format_stl(const Shape& shape);
 std::string format_off(const Shape& shape);
+std::string format_xyz(const Shape& shape);
+
+/// True if a line begins with three numbers.
+bool looks_like_xyz(std::string_view line);
 
 /// True if the bytes are as many as a binary STL of its count of triangles has.
 bool is_binary_stl(std::string_view bytes);

@@ -14,7 +14,7 @@ namespace {
 
 using shape_detail::Source;
 
-constexpr const char* kFormats = "OBJ, PLY, STL or OFF";
+constexpr const char* kFormats = "OBJ, PLY, STL, OFF, XYZ or PCD";
 
 struct Signature {
   std::string_view bytes;
@@ -49,6 +49,10 @@ Shape parse(const Source& source, ShapeFormat format) {
       return shape_detail::parse_stl(source);
     case ShapeFormat::Off:
       return shape_detail::parse_off(source);
+    case ShapeFormat::Xyz:
+      return shape_detail::parse_xyz(source);
+    case ShapeFormat::Pcd:
+      return shape_detail::parse_pcd(source);
   }
   throw Error(ErrorKind::Internal, "no such format of shapes");
 }
@@ -73,6 +77,9 @@ ShapeFormat shape_format_of(const std::string& path) {
   if (extension == "ply") return ShapeFormat::Ply;
   if (extension == "stl") return ShapeFormat::Stl;
   if (extension == "off") return ShapeFormat::Off;
+  if (extension == "pcd") return ShapeFormat::Pcd;
+  for (const char* const text : {"xyz", "pts", "txt", "asc", "csv"})
+    if (extension == text) return ShapeFormat::Xyz;
   throw Error(ErrorKind::Unsupported,
               path + ": " +
                   (extension.empty() ? std::string("no extension names its format")
@@ -86,10 +93,12 @@ ShapeFormat guess_shape_format(std::string_view bytes, const std::string& name) 
   while (lines.next()) {
     std::string_view line = lines.line();
     const std::string_view word = text_detail::take_word(line);
-    if (word.empty() || word.starts_with('#')) continue;
+    if (word.empty() || word.starts_with('#') || word.starts_with("//")) continue;
     if (word == "ply") return ShapeFormat::Ply;
     if (word == "solid") return ShapeFormat::Stl;
     if (word.ends_with("OFF")) return ShapeFormat::Off;
+    if (word == "VERSION" || word == "FIELDS") return ShapeFormat::Pcd;
+    if (shape_detail::looks_like_xyz(lines.line())) return ShapeFormat::Xyz;
     break;
   }
   if (looks_like_obj(bytes)) return ShapeFormat::Obj;
@@ -147,6 +156,10 @@ std::string format_shape(const Shape& shape, ShapeFormat format) {
       return shape_detail::format_stl(shape);
     case ShapeFormat::Off:
       return shape_detail::format_off(shape);
+    case ShapeFormat::Xyz:
+      return shape_detail::format_xyz(shape);
+    case ShapeFormat::Pcd:
+      throw Error(ErrorKind::Unsupported, "PCD is only read; use PLY or XYZ");
   }
   throw Error(ErrorKind::Internal, "no such format of shapes");
 }

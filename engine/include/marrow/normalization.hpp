@@ -4,12 +4,14 @@
 #include <marrow/shape.hpp>
 #include <marrow/vec.hpp>
 
+#include <span>
 #include <vector>
 
 namespace marrow {
 
 /// Maps input units to the normalised frame, where the shape's box is centred on the origin, its
-/// principal axes are y (greatest), x, z (least), and its bounding sphere has radius 1.
+/// principal axes are y (greatest), x, z (least), and its bounding sphere has radius 1; that of a
+/// point cloud has room for a ball of its spacing around every point.
 struct Normalization {
   double prescale = 1;  ///< a power of two, applied first so that no product can overflow
   Vec3 center;          ///< centre of the box, prescaled
@@ -27,19 +29,29 @@ struct Normalization {
 /// that re-meshing a part does not move it. The sign of an axis makes the third moment along it
 /// positive; where that vanishes, its greatest component in input coordinates is positive. Where
 /// two or three moments coincide, the input axes decide. Sums are integers: the order of points and
-/// triangles does not matter. Unused points never count.
-/// Throws Error: Empty, when there are no triangles or all used points coincide.
-Normalization normalize(const Shape& shape);
+/// triangles does not matter. Unused points never count. Of a point cloud the points themselves are
+/// taken, all with the same weight, repeated ones once; `spacing` is what point_spacing() gives.
+/// Throws Error: Empty, when there are no points or all that count coincide.
+Normalization normalize(const Shape& shape, std::span<const double> spacing);
+Normalization normalize(const Shape& shape);  ///< The same, with the shape's own spacing.
 
-/// A shape in the normalised frame, used points only, as the silhouette kernels want it.
+/// A shape in the normalised frame, as the silhouette kernels want it; only points that count.
 struct NormalizedShape {
   std::vector<float> x, y, z;  ///< |.| <= 1
   std::vector<Triangle> triangles;
-  Vec3 low, high;         ///< bounding box
+  std::vector<float> spacing;  ///< of a point cloud: radius of the disc around every point
+  Vec3 low, high;              ///< bounding box
   bool closed = false;    ///< every edge has an even number of triangles, points welded by position
   bool oriented = false;  ///< closed, and every edge is run through as often in either direction
+
+  bool is_point_cloud() const { return triangles.empty(); }
 };
 
+/// Half of the points of a cloud have no greater spacing.
+double median_spacing(const NormalizedShape& cloud);
+
+NormalizedShape apply(const Normalization& normalization, const Shape& shape,
+                      std::span<const double> spacing);
 NormalizedShape apply(const Normalization& normalization, const Shape& shape);
 
 }  // namespace marrow

@@ -1,4 +1,4 @@
-// Reading and writing shapes: OBJ, PLY, STL, OFF.
+// Reading and writing shapes: OBJ, PLY, STL, OFF, and point clouds: XYZ, PCD.
 #pragma once
 
 #include <marrow/shape.hpp>
@@ -9,7 +9,14 @@
 
 namespace marrow {
 
-enum class ShapeFormat { Obj, Ply, Stl, Off };
+enum class ShapeFormat {
+  Obj,
+  Ply,
+  Stl,
+  Off,
+  Xyz,  ///< text with a point to a line: .xyz, .pts, .txt, .asc, .csv
+  Pcd,  ///< of the Point Cloud Library; only read
+};
 
 struct ReadOptions {
   std::uint64_t max_bytes = std::uint64_t{4} << 30;  ///< larger files are refused (Limit)
@@ -30,6 +37,10 @@ ShapeFormat guess_shape_format(std::string_view bytes, const std::string& name);
 /// - Points that no face uses stay (they never count). If they are not finite they become 0, as all
 ///   coordinates of a shape are finite. A file with points and no faces gives a shape without
 ///   triangles.
+/// - XYZ: x, y and z, apart by blanks, commas or semicolons, and whatever else stands behind them.
+///   Before the points there may be their count or a line of names that begins with x. Lines that
+///   begin with # or // are comments.
+/// - PCD: text and binary. A point whose coordinates are not a number stands for none.
 /// - Equal vertices of an STL become one; a vertex that is named in several faces of the other
 ///   formats is one already.
 /// - Materials, normals, colours, weights, lines and all that is not known to the format are passed
@@ -44,7 +55,8 @@ Shape parse_shape(std::string_view bytes, ShapeFormat format, const std::string&
 
 /// Writes `shape` whole or not at all; the extension of `path` names the format (PLY and STL
 /// binary). All but STL, which holds single precision and no points without triangles, read back to
-/// the same shape. Throws Error: Unsupported, Limit (too many points for the format), CannotWrite.
+/// the same shape. Throws Error: Unsupported (also for triangles in an XYZ, and for PCD), Limit
+/// (too many points for the format), CannotWrite.
 void write_shape(const std::string& path, const Shape& shape);
 
 /// The bytes that write_shape() writes.

@@ -1,0 +1,87 @@
+#include <marrow/bounds.hpp>
+#include <marrow/point_spacing.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "neighbour_distance_detail.hpp"
+#include "position_hash_detail.hpp"
+#include "prescale_detail.hpp"
+
+namespace marrow {
+
+namespace {
+
+constexpr std::size_t kKept = 95;  // percent of the points whose distances count as they are
+constexpr float kLeastSpacing = 0x1p-40F;  // of the longest side; 0 is for points that do not count
+
+/// The first of the points at every place, in their order.
+std::vector<std::uint32_t> distinct_points(const std::vector<Vec3>& points) {
+  std::vector<std::uint32_t> distinct;
+  const std::size_t size = std::bit_ceil(2 * points.size() + 1);
+  std::vector<std::uint32_t> table(size, 0);  // index + 1
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::size_t at = position_hash(points[i]) & (size - 1);
+    while (table[at] != 0 && points[table[at] - 1] != points[i]) at = (at + 1) & (size - 1);
+    if (table[at] != 0) continue;
+    table[at] = i + 1;
+    distinct.push_back(i);
+  }
+  return distinct;
+}
+
+/// Maps the box of the points to sides of at most 1 about the origin.
+class UnitBox {
+ public:
+  explicit UnitBox(const std::vector<Vec3>& points) {
+    Bounds bounds;
+    for (const Vec3& p : points) bounds.add(p);
+    prescale_ = prescale_of(bounds);
+    bounds.low = bounds.low * prescale_;
+    bounds.high = bounds.high * prescale_;
+    center_ = bounds.center();
+    side_ = bounds.longest_side();
+    if (side_ == 0) side_ = 1;
+  }
+
+  PointF to_unit(const Vec3& p) const {
+    const Vec3 q = (p * prescale_ - center_) / side_;
+    return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+  }
+  double length_to_input(float length) const {
+    return std::max(static_cast<double>(length) * side_ / prescale_,
+                    std::numeric_limits<double>::denorm_min());
+  }
+
+ private:
+  double prescale_ = 1, side_ = 1;
+  Vec3 center_;
+};
+
+float percentile(std::vector<float> values, std::size_t percent) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * percent / 100);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+std::vector<double> point_spacing(const Shape& shape) {
+  if (!shape.is_point_cloud() || shape.points.empty()) return {};
+  const std::vector<std::uint32_t> distinct = distinct_points(shape.points);
+  const UnitBox box(shape.points);
+  std::vector<PointF> unit;
+  unit.reserve(distinct.size());
+  for (const std::uint32_t i : distinct) unit.push_back(box.to_unit(shape.points[i]));
+  const std::vector<float> distances = neighbour_distances(unit);
+  const float most = percentile(distances, kKept);
+  std::vector<double> spacing(shape.points.size(), 0);
+  for (std::size_t i = 0; i < distinct.size(); ++i)
+    spacing[distinct[i]] =
+        box.length_to_input(std::clamp(distances[i], kLeastSpacing, std::max(most, kLeastSpacing)));
+  return spacing;
+}
+
+}  // namespace marrow

@@ -1,18 +1,15 @@
+#include <marrow/point_silhouette.hpp>
 #include <marrow/silhouette.hpp>
 
 #include "fill_detail.hpp"
+#include "mask_detail.hpp"
 #include "thin_triangles_detail.hpp"
 
 namespace marrow {
 
-namespace {
-
-constexpr double kSmallHole = 0.02;  // inscribed radius, in sides of the image
-
-}  // namespace
-
 BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
                          const SurfaceScene* scene) {
+  if (shape.is_point_cloud()) return draw_point_silhouette(shape, plane, resolution);
   const SnappedPoints points = snap(shape, plane, resolution);
   BitImage mask;
   if (scene != nullptr) {

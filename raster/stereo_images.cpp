@@ -1,3 +1,4 @@
+#include <marrow/point_silhouette.hpp>
 #include <marrow/stereo_images.hpp>
 
 #include <algorithm>
@@ -79,8 +80,10 @@ ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int re
 StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction) {
   const Frame any = frame_along(direction);
   const SnappedPoints points = snap(shape, {any.x, any.y}, kFrameResolution);
-  const Facing facing = facing_of(shape);
-  PlaneMoments m = pixel_moments(fill(points, shape.triangles, facing, kFrameResolution).mask);
+  PlaneMoments m =
+      pixel_moments(shape.is_point_cloud()
+                        ? draw_point_silhouette(shape, {any.x, any.y}, kFrameResolution)
+                        : fill(points, shape.triangles, facing_of(shape), kFrameResolution).mask);
   if (m.n < kFewPixels) m = point_moments(points);  // a plate seen from its edge
   const auto [ax, ay] = major_axis(m);
   const Vec3 y = any.x * ax + any.y * ay;

@@ -193,6 +193,7 @@ class CycleCheck {
 }  // namespace
 
 VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
+  if (shape.is_point_cloud()) return graph;
   return CycleCheck(graph, shape, voxel).cut();
 }
 

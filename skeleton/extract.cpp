@@ -4,9 +4,12 @@
 #include <marrow/cycle_check.hpp>
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
+#include <marrow/gap_bridging.hpp>
 #include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
+#include <marrow/nearest_sample.hpp>
 #include <marrow/perceptual_core.hpp>
+#include <marrow/point_spacing.hpp>
 #include <marrow/region_growing.hpp>
 #include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
@@ -17,6 +20,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace marrow {
@@ -24,6 +28,7 @@ namespace marrow {
 namespace {
 
 constexpr int kFirstImage = 256, kFinestImage = 512;  // pixels along a side
+constexpr double kLongestGap = 5;                     // in the sampling of a cloud: spacings
 
 void check(const ExtractOptions& o) {
   const auto require = [](bool ok, const char* message) {
@@ -33,6 +38,7 @@ void check(const ExtractOptions& o) {
           "the image resolution must be 64 to 1024, or 0");
   require(o.grid_resolution >= 16 && o.grid_resolution <= 256,
           "the grid resolution must be 16 to 256");
+  require(o.closing >= 0 && o.closing <= 24, "the closing must be 0 to 24 pixels");
   require(o.smoothing_passes >= 0, "the number of smoothing passes must not be negative");
   require(o.max_threads >= 0, "the number of threads must not be negative");
 }
@@ -72,6 +78,23 @@ class Recorder {
   const ExtractOptions& options_;
   ExtractTrace* trace_;
 };
+
+/// The radii of the discs around the points of a cloud; empty for a mesh.
+std::vector<double> disc_radii(const Shape& shape, const ExtractOptions& options) {
+  std::vector<double> radii = point_spacing(shape);
+  if (radii.empty() || options.closing == 0) return radii;
+  const auto all_of = [&](double radius) {
+    for (double& r : radii)
+      if (r > 0) r = radius;
+    return radii;
+  };
+  // Room for these discs makes the image smaller, and its pixels with them.
+  const double without_discs =
+      normalize(shape, all_of(std::numeric_limits<double>::denorm_min())).length_to_input(1);
+  const int image = options.image_resolution > 0 ? options.image_resolution : kFirstImage;
+  const double half_image = 1 / PixelGrid{image}.pixel();
+  return all_of(without_discs * options.closing / (half_image - options.closing));
+}
 
 /// 21 stereo pairs, each one task; by rays where there is a scene.
 std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
@@ -142,13 +165,35 @@ VoteGraph middle_line(const NormalizedShape& shape, const Projections& projectio
   return {{{{0, -end, 0}}, {{0, end, 0}}}, {{0, 1}}};
 }
 
+/// The silhouettes of a cloud keep within the shape, and so does the hull: the radius is that up to
+/// the nearest point where that is more, but not where points are missing.
+void widen_to_samples(VoteGraph& graph, const NormalizedShape& cloud) {
+  const double most = median_spacing(cloud);
+  std::vector<Vec3> places;
+  for (const auto& n : graph.nodes) places.push_back(n.position);
+  const std::vector<double> distances = nearest_samples(cloud, places);
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    double& radius = graph.nodes[i].radius;
+    radius = std::clamp(distances[i], radius, radius + most);
+  }
+}
+
 VoteGraph with_hull_radii(VoteGraph graph, const NormalizedShape& shape,
                           std::span<const StereoImages> views, double pixel, double voxel) {
   const Projections projections(views);
   if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
   for (auto& n : graph.nodes)
     n.radius = std::max(hull_radius(n.position, projections), 0.5 * pixel);
+  if (shape.is_point_cloud()) widen_to_samples(graph, shape);
   return graph;
+}
+
+/// The hull as voxels; gaps in the sampling of a point cloud are bridged.
+VoxelSet solid_hull(const NormalizedShape& shape, std::span<const StereoImages> views,
+                    const VoxelGrid& grid, const VoteGraph& core) {
+  VoxelSet hull = majority(grid, hull_solid(grid, views));
+  if (!shape.is_point_cloud()) return hull;
+  return bridge_gaps(grid, std::move(hull), core, kLongestGap * median_spacing(shape));
 }
 
 /// All stages, one after the other; what the next ones do not need is gone.
@@ -159,12 +204,13 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
 
   // 4.2, last paragraphs: the shape's own frame.
   record.begin("normalise", 0);
-  const Normalization frame = record.keep(&Trace::normalization, normalize(shape));
-  const NormalizedShape normalized_shape = apply(frame, shape);
+  const std::vector<double> spacing = disc_radii(shape, options);
+  const Normalization frame = record.keep(&Trace::normalization, normalize(shape, spacing));
+  const NormalizedShape normalized_shape = apply(frame, shape, spacing);
 
   // 4.1: silhouettes, distances, medial axes.
   std::optional<SurfaceScene> scene;
-  if (options.silhouettes == SilhouetteMethod::Embree) {
+  if (options.silhouettes == SilhouetteMethod::Embree && !shape.is_point_cloud()) {
     record.begin("surface scene", 0.02);
     run_on(options.max_threads, [&] { scene.emplace(normalized_shape); });
   }
@@ -194,7 +240,8 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
   // In place of 4.4.3: the topology of the visual hull.
   record.begin("hull topology", 0.72);
   const VoxelSet solid = record.keep(
-      &Trace::solid, supported_solid(grid, majority(grid, hull_solid(grid, views)), votes, graph));
+      &Trace::solid,
+      supported_solid(grid, solid_hull(normalized_shape, views, grid, graph), votes, graph));
   const auto depth = distance_transform(grid, solid);
   const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
   graph = record.keep(&Trace::thinned,

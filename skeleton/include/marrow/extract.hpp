@@ -24,7 +24,9 @@ struct ExtractOptions {
                               ///< or 512 where parts are thinner than a pixel
   int grid_resolution = 128;  ///< voxels along the longest side of the shape, 16 to 256; thin
                               ///< shapes and parts get up to 192
-  int smoothing_passes = 5;   ///< 0 and up
+  double closing = 0;  ///< of point clouds: radius in pixels of one closing of all silhouettes, 0
+                       ///< to 24; 0: discs that follow the density of the points
+  int smoothing_passes = 5;  ///< 0 and up
   SilhouetteMethod silhouettes = SilhouetteMethod::Scanline;
   int max_threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on

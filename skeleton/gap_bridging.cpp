@@ -1,0 +1,121 @@
+#include <marrow/gap_bridging.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "live_graph_detail.hpp"
+#include "voxel_parts_detail.hpp"
+
+namespace marrow {
+
+namespace {
+
+constexpr double kStraight = 0.5;  // cosine between the end of a branch and its bridge
+constexpr std::uint32_t kNone = ~0U;
+
+/// Which part of a set every voxel belongs to, and which parts are joined.
+class Parts {
+ public:
+  Parts(const VoxelGrid& grid, const VoxelSet& set) : part_(grid.count(), kNone) {
+    for (const auto& part : voxel_parts(grid, set)) {
+      for (const auto v : part) part_[v] = static_cast<std::uint32_t>(joined_.size());
+      joined_.push_back(static_cast<std::uint32_t>(joined_.size()));
+    }
+  }
+
+  std::size_t count() const { return joined_.size(); }
+  std::uint32_t at(std::uint32_t voxel) const { return part_[voxel]; }
+  std::uint32_t root(std::uint32_t part) const {
+    while (joined_[part] != part) part = joined_[part];
+    return part;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    joined_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> part_, joined_;
+};
+
+struct Bridge {
+  double length = 0;
+  std::uint32_t from = 0, to = 0;  // voxels
+
+  auto key() const { return std::tuple(length, from, to); }
+};
+
+/// Where the branch that ends at a leaf is going, seen over the radius of the leaf; nothing for a
+/// part of one node.
+std::optional<Vec3> direction_of(const LiveGraph& core, NodeId leaf) {
+  const Vec3 end = core.node(leaf).position;
+  const double wanted = core.node(leaf).radius;
+  for (const NodeId n : trace_leaf_branch(core, leaf).nodes) {
+    const Vec3 back = end - core.node(n).position;
+    if (length(back) >= wanted) return normalized(back);
+  }
+  return {};
+}
+
+/// The nearest voxel of another part ahead of a leaf, no farther from its ball than `reach`.
+std::optional<Bridge> bridge_from(const VoxelGrid& grid, const Parts& parts, const LiveGraph& core,
+                                  NodeId leaf, double reach) {
+  const auto direction = direction_of(core, leaf);
+  if (!direction) return {};
+  const VoteGraph::Node& node = core.node(leaf);
+  const std::uint32_t own = parts.at(node.voxel);
+  const double farthest = node.radius + reach;
+  const int r = static_cast<int>(farthest / grid.size) + 1;
+  const int x = grid.x_of(node.voxel), y = grid.y_of(node.voxel), z = grid.z_of(node.voxel);
+  std::optional<Bridge> best;
+  for (int dz = -r; dz <= r; ++dz)
+    for (int dy = -r; dy <= r; ++dy)
+      for (int dx = -r; dx <= r; ++dx) {
+        if (!grid.contains(x + dx, y + dy, z + dz)) continue;
+        const std::uint32_t v = grid.index(x + dx, y + dy, z + dz);
+        if (parts.at(v) == kNone || parts.at(v) == own) continue;
+        const Vec3 way = grid.center(v) - node.position;
+        const Bridge bridge{length(way), node.voxel, v};
+        if (bridge.length > farthest || dot(way, *direction) < kStraight * bridge.length) continue;
+        if (!best || bridge.key() < best->key()) best = bridge;
+      }
+  return best;
+}
+
+void draw_line(VoxelSet& set, const VoxelGrid& grid, const Bridge& bridge) {
+  const Vec3 from = grid.center(bridge.from), to = grid.center(bridge.to);
+  const int steps = 2 * static_cast<int>(std::ceil(length(to - from) / grid.size)) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const Vec3 p =
+        (from + (to - from) * (static_cast<double>(i) / steps) - grid.origin) / grid.size;
+    set.insert(grid.index(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)));
+  }
+}
+
+}  // namespace
+
+VoxelSet bridge_gaps(const VoxelGrid& grid, VoxelSet hull, const VoteGraph& core, double reach) {
+  VoxelSet whole = hull;
+  for (const auto& node : core.nodes) whole.insert(node.voxel);
+  Parts parts(grid, whole);
+  if (parts.count() < 2) return hull;
+  const LiveGraph live(core);
+  std::vector<Bridge> bridges;
+  for (NodeId n = 0; n < live.size(); ++n)
+    if (live.degree(n) == 1)
+      if (const auto bridge = bridge_from(grid, parts, live, n, reach)) bridges.push_back(*bridge);
+  std::sort(bridges.begin(), bridges.end(),
+            [](const Bridge& a, const Bridge& b) { return a.key() < b.key(); });
+  for (const Bridge& bridge : bridges) {
+    const std::uint32_t a = parts.at(bridge.from), b = parts.at(bridge.to);
+    if (parts.root(a) == parts.root(b)) continue;
+    parts.join(a, b);
+    draw_line(hull, grid, bridge);
+  }
+  return hull;
+}
+
+}  // namespace marrow

@@ -26,6 +26,9 @@ std::string program_version();
 CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::string& format,
                                const std::string& words, const std::vector<std::string>& formats);
 
+/// The formats of shapes that are read, by their extensions.
+std::vector<std::string> shape_formats();
+
 /// A file as it was read, before anything is known about its words.
 struct InputFile {
   std::string name;    ///< for messages: the path, or "standard input"

@@ -20,6 +20,7 @@ struct ExtractRequest {
   std::string shape, from, out, to, json, trace, simd;
   std::string silhouettes = "scanline";
   int image = ExtractOptions{}.image_resolution;
+  double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
   int threads = 0;
   bool quiet = false;
@@ -54,6 +55,7 @@ Statistics describe(const ExtractRequest& request, const Statistics& input,
   s["input"] = input;
   s["options"]["image"] = request.image;
   s["options"]["grid"] = request.grid;
+  s["options"]["closing"] = request.closing;
   s["options"]["silhouettes"] = request.silhouettes;
   s["skeleton"] = statistics_of(skeleton);
   s["run"]["threads"] = request.threads;
@@ -80,6 +82,7 @@ Extraction run_stages(const ExtractRequest& request, const InputFile& input, con
                       Progress& progress) {
   ExtractOptions options;
   options.image_resolution = request.image;
+  options.closing = request.closing;
   options.grid_resolution = request.grid;
   if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
   options.max_threads = request.threads;
@@ -149,7 +152,10 @@ void run_extract(const ExtractRequest& request) {
 }
 
 void add_options(CLI::App& verb, ExtractRequest& request) {
-  verb.add_option("SHAPE", request.shape, "Shape: .obj .ply .stl .off; - is standard input")
+  verb.add_option(
+          "SHAPE", request.shape,
+          "Shape: .obj .ply .stl .off, or point cloud: .xyz .pts .txt .asc .csv .pcd and .ply\n"
+          ".off .obj without faces; - is standard input")
       ->required()
       ->type_name("");
   verb.add_option("-o,--output", request.out,
@@ -157,7 +163,7 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->required()
       ->type_name("OUT");
   add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
-                    {"obj", "ply", "stl", "off"});
+                    {"obj", "ply", "stl", "off", "xyz", "pcd"});
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
   verb.add_option("--image", request.image,
@@ -165,6 +171,11 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
                   "are thinner than a pixel")
       ->check(CLI::Range(64, 1024).description(""))
       ->type_name("64..1024");
+  verb.add_option("--closing", request.closing,
+                  "Point clouds: radius in pixels that gaps between points are closed by; by\n"
+                  "default it follows the density of the points")
+      ->check(CLI::Range(0.0, 24.0).description(""))
+      ->type_name("0..24");
   verb.add_option("--grid", request.grid,
                   "Voxels along the longest side of the shape; thin parts get up to 192")
       ->check(CLI::Range(16, 256).description(""))
@@ -199,7 +210,7 @@ void add_extract_command(CLI::App& program) {
   add_options(*verb, *request);
   verb->footer(
       "Positions and radii are in the units of the shape. Any triangle soup will do: open, in\n"
-      "parts, with holes or flipped faces.\n"
+      "parts, with holes or flipped faces; and any point cloud, without normals.\n"
       "\n"
       "Examples:\n"
       "  marrow extract horse.obj -o horse.skel\n"

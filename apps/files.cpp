@@ -2,6 +2,7 @@
 #include <marrow/error.hpp>
 #include <marrow/file_io.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "command.hpp"
@@ -65,6 +66,10 @@ CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::str
       ->type_name(choice);
 }
 
+std::vector<std::string> shape_formats() {
+  return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
+}
+
 InputFile read_input(const std::string& path, const std::string& from) {
   if (path == "-" && from.empty())
     throw Error(ErrorKind::Usage, "standard input has no extension; say --from FORMAT");
@@ -79,12 +84,11 @@ bool is_skeleton(const InputFile& file) {
 }
 
 Shape shape_of(const InputFile& file) {
-  const bool known =
-      file.format == "obj" || file.format == "ply" || file.format == "stl" || file.format == "off";
-  if (!known)
+  const std::vector<std::string> known = shape_formats();
+  if (std::find(known.begin(), known.end(), file.format) == known.end())
     throw Error(ErrorKind::Unsupported,
                 file.name +
-                    ": shapes are OBJ, PLY, STL or OFF files; convert it, or name its "
+                    ": shapes are OBJ, PLY, STL, OFF, XYZ or PCD files; convert it, or name its "
                     "format by --from");
   return parse_shape(file.bytes, shape_format_of(as_path(file.format)), file.name);
 }

@@ -29,13 +29,14 @@ void run_info(const InfoRequest& request) {
 void add_info_command(CLI::App& program) {
   const auto request = std::make_shared<InfoRequest>();
   CLI::App* verb = program.add_subcommand("info", "Counts and measures of a shape or a skeleton");
-  verb->add_option("FILE", request->file,
-                   "Shape (.obj .ply .stl .off) or skeleton (.obj .skel .ply .json); - is "
-                   "standard input")
+  verb->add_option(
+          "FILE", request->file,
+          "Shape (.obj .ply .stl .off), point cloud (.xyz .pts .txt .asc .csv .pcd .ply) or\n"
+          "skeleton (.obj .skel .ply .json); - is standard input")
       ->required()
       ->type_name("");
   add_format_option(*verb, "--from", request->from, "Format of FILE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "skel", "json"});
+                    {"obj", "ply", "stl", "off", "xyz", "pcd", "skel", "json"});
   verb->add_flag("--json", request->json, "JSON instead of a table");
   verb->footer(
       "An OBJ with lines and no faces, or a PLY with edges and no faces, is a skeleton.\n"

@@ -52,7 +52,8 @@ void run_render(const RenderRequest& request) {
 void add_render_command(CLI::App& program) {
   const auto request = std::make_shared<RenderRequest>();
   CLI::App* verb = program.add_subcommand("render", "A picture of a shape and its skeleton");
-  verb->add_option("SHAPE", request->shape, "Shape: .obj .ply .stl .off, or -")
+  verb->add_option("SHAPE", request->shape,
+                   "Shape or point cloud: .obj .ply .stl .off .xyz .pcd, or -")
       ->required()
       ->type_name("");
   verb->add_option("SKELETON", request->skeleton, "Skeleton: .obj .skel .ply .json, or -")
@@ -62,7 +63,7 @@ void add_render_command(CLI::App& program) {
       ->required()
       ->type_name("FILE");
   add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
-                    {"obj", "ply", "stl", "off", "skel", "json"});
+                    {"obj", "ply", "stl", "off", "xyz", "pcd", "skel", "json"});
   verb->add_option("--size", request->size, "In pixels, 64 to 16384 each")
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();

@@ -183,6 +183,20 @@ says '^components +1'
 says '^unused points +1'
 says '^bounds +0 -1 0 to 1 1 0'
 
+# --- point clouds ---------------------------------------------------------------------------------
+grep '^v' torus.obj | cut -c3- >cloud.xyz
+good info cloud.xyz
+says '^kind +points'
+says '^triangles +0'
+silent extract cloud.xyz -o cloud.obj --trace cloud_stages "${quick[@]}"
+good info cloud.obj
+says '^cycles +1'
+silent extract cloud.xyz -o closed.obj --closing 4 "${quick[@]}"
+good render cloud.xyz cloud.obj -o cloud.png
+printf '1 2 3\n' >one.xyz
+bad 6 'coincide' extract one.xyz -o out.obj
+bad 2 '--closing' extract cloud.xyz -o out.obj --closing 25
+
 # --- failures, each with its status ---------------------------------------------------------------
 touch nothing.obj
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 99\n' >broken.obj

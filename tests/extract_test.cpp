@@ -245,7 +245,7 @@ TEST_CASE("options out of range are refused", "[extract]") {
 TEST_CASE("where there is nothing there is no skeleton", "[extract]") {
   CHECK(failure({}) == ErrorKind::Empty);
   CHECK(failure({{{1, 2, 3}}, {}}) == ErrorKind::Empty);
-  CHECK(failure({{{1, 2, 3}, {2, 3, 4}, {9, 9, 9}}, {}}) == ErrorKind::Empty);
+  CHECK(failure({{{1, 2, 3}, {1, 2, 3}}, {}}) == ErrorKind::Empty);
   CHECK(failure({{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}}) == ErrorKind::Empty);
 }
 

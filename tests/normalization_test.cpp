@@ -312,7 +312,8 @@ TEST_CASE("normalize: a flat shape, and one of needles only") {
 
 TEST_CASE("normalize: nothing to normalise") {
   CHECK(error_of({}) == ErrorKind::Empty);
-  CHECK(error_of({{{1, 2, 3}, {4, 5, 6}}, {}}) == ErrorKind::Empty);
+  CHECK(error_of({{{1, 2, 3}}, {}}) == ErrorKind::Empty);
+  CHECK(error_of({{{1, 2, 3}, {1, 2, 3}}, {}}) == ErrorKind::Empty);
   CHECK(error_of({{{0, 0, 0}, {4, 5, 6}}, {{0, 0, 0}}}) == ErrorKind::Empty);
   CHECK(error_of({{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}, {{0, 1, 2}}}) == ErrorKind::Empty);
   const double next = std::nextafter(7.0, 8.0);

@@ -156,7 +156,8 @@ TEST_CASE("shapes read back as they were written", "[shape_io]") {
 
 TEST_CASE("shapes of points alone read back", "[shape_io]") {
   const Shape points{{{1, 2, 3}, {4, 5, 6}}, {}};
-  for (const ShapeFormat format : {ShapeFormat::Obj, ShapeFormat::Ply, ShapeFormat::Off})
+  for (const ShapeFormat format :
+       {ShapeFormat::Obj, ShapeFormat::Ply, ShapeFormat::Off, ShapeFormat::Xyz})
     CHECK(parse_shape(format_shape(points, format), format, "file") == points);
 }
 
@@ -165,13 +166,16 @@ TEST_CASE("the extension names the format of a shape", "[shape_io]") {
   CHECK(shape_format_of("x.ply") == ShapeFormat::Ply);
   CHECK(shape_format_of("x.Stl") == ShapeFormat::Stl);
   CHECK(shape_format_of("x.off") == ShapeFormat::Off);
-  for (const std::string name : {"x", "", "x.glb", "x.gltf", "x.xyz", "x.nrrd", "obj", ".obj"}) {
+  CHECK(shape_format_of("x.pcd") == ShapeFormat::Pcd);
+  for (const std::string name : {"x.xyz", "x.PTS", "x.txt", "x.asc", "x.csv"})
+    CHECK(shape_format_of(name) == ShapeFormat::Xyz);
+  for (const std::string name : {"x", "", "x.glb", "x.gltf", "x.nrrd", "obj", ".obj"}) {
     try {
       shape_format_of(name);
       FAIL(name);
     } catch (const Error& e) {
       CHECK(e.kind() == ErrorKind::Unsupported);
-      CHECK(std::string(e.what()).find("OBJ, PLY, STL or OFF") != std::string::npos);
+      CHECK(std::string(e.what()).find("OBJ, PLY, STL, OFF, XYZ or PCD") != std::string::npos);
     }
   }
 }
@@ -182,6 +186,8 @@ TEST_CASE("bytes without a name tell their format", "[shape_io]") {
   CHECK(guess_shape_format(text_stl(), "-") == ShapeFormat::Stl);
   CHECK(guess_shape_format("\xEF\xBB\xBF# a\r\n\r\nCOFF 1 0 0", "-") == ShapeFormat::Off);
   CHECK(guess_shape_format("# a\nmtllib b\nv 0 0 0\n", "-") == ShapeFormat::Obj);
+  CHECK(guess_shape_format("# a\n// b\n1 2 3 4\n", "-") == ShapeFormat::Xyz);
+  CHECK(guess_shape_format("# .PCD v0.7\nVERSION 0.7\n", "-") == ShapeFormat::Pcd);
   for (const std::string bytes : {"", "hello", "{\"a\": 1}"})
     CHECK_THROWS_AS(guess_shape_format(bytes, "-"), Error);
 }

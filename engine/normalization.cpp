@@ -7,71 +7,14 @@
 #include <cmath>
 
 #include "closure_detail.hpp"
-#include "eigen_detail.hpp"
 #include "lattice_surface_detail.hpp"
 #include "prescale_detail.hpp"
+#include "principal_frame_detail.hpp"
 #include "used_points_detail.hpp"
 
 namespace marrow {
 
 namespace {
-
-constexpr double kSameMoment = 1e-5;  // relative gap under which two moments coincide
-constexpr double kNoSkew = 1e-4;      // third moment, relative, under which it vanishes
-
-/// The input axis that `subspace` (an orthogonal complement given by its normal, or all of space
-/// for a zero normal) holds best, projected into it.
-Vec3 best_input_axis(const Vec3& normal) {
-  Vec3 best;
-  double longest = -1;
-  for (const Vec3& e : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    const Vec3 inside = e - normal * dot(normal, e);
-    if (squared_length(inside) > longest + 1e-9) longest = squared_length(inside), best = inside;
-  }
-  return normalized(best);
-}
-
-/// Directions of greatest, middle and least spread, before signs; ties by the input axes.
-std::array<Vec3, 3> principal_axes(const Eigensystem& e) {
-  const double gap = kSameMoment * std::max(e.values[0], 1e-300);
-  const bool first_tie = e.values[0] - e.values[1] <= gap;
-  const bool second_tie = e.values[1] - e.values[2] <= gap;
-  if (first_tie && second_tie) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  if (first_tie) {
-    const Vec3 a = best_input_axis(e.vectors[2]);
-    return {a, cross(e.vectors[2], a), e.vectors[2]};
-  }
-  if (second_tie) {
-    const Vec3 b = best_input_axis(e.vectors[0]);
-    return {e.vectors[0], b, cross(e.vectors[0], b)};
-  }
-  return e.vectors;
-}
-
-Vec3 with_greatest_component_positive(const Vec3& v) {
-  // Two components may be equal up to rounding: a later one must be clearly greater.
-  double greatest = v.x;
-  for (const double c : {v.y, v.z})
-    if (std::abs(c) > std::abs(greatest) + 1e-6) greatest = c;
-  return greatest < 0 ? -v : v;
-}
-
-Frame principal_frame(const LatticeSurface& surface) {
-  const Covariance c = surface.moments().covariance();
-  const Eigensystem e = eigensystem(c.matrix);
-  auto axes = principal_axes(e);
-  const auto third = surface.third_moments(c.mean, {axes[0], axes[1]});
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double variance = std::max(e.values[i], 1e-300);
-    const double skew = third[i] / (variance * std::sqrt(variance));
-    if (std::abs(skew) > kNoSkew)
-      axes[i] = skew < 0 ? -axes[i] : axes[i];
-    else
-      axes[i] = with_greatest_component_positive(axes[i]);
-  }
-  const Vec3 y = axes[0], x = axes[1];
-  return {x, y, cross(x, y)};
-}
 
 /// The triangles between the used points, numbered anew.
 std::vector<Triangle> renumbered(const Shape& shape, const std::vector<std::uint8_t>& used) {
@@ -102,7 +45,11 @@ Normalization normalize_triangles(const Shape& shape) {
     throw Error(ErrorKind::Empty,
                 "all points of the shape coincide; give a shape with some extent");
 
-  n.axes = principal_frame(LatticeSurface(shape, n.prescale, box.center(), box.longest_side()));
+  const LatticeSurface surface(shape, n.prescale, box.center(), box.longest_side());
+  const Covariance c = surface.moments().covariance();
+  n.axes = principal_frame(c.matrix, [&](const std::array<Vec3, 2>& axes) {
+    return surface.third_moments(c.mean, axes);
+  });
   Bounds own;
   for_used_points(shape, used,
                   [&](const Vec3& p) { own.add(to_frame(n.axes, p * n.prescale - box.center())); });

@@ -15,6 +15,7 @@ packages=(
   libtbb-dev            # the views in parallel
   libhwy-dev            # the instruction set, chosen at run time
   libtinyobjloader-dev  # OBJ
+  zlib1g-dev            # compressed volumes
   libcli11-dev          # the options of the program
   nlohmann-json3-dev    # JSON
   libembree-dev         # rays for silhouettes and the picture

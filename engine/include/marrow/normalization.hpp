@@ -3,6 +3,7 @@
 
 #include <marrow/shape.hpp>
 #include <marrow/vec.hpp>
+#include <marrow/volume.hpp>
 
 #include <span>
 #include <vector>
@@ -34,6 +35,10 @@ struct Normalization {
 /// Throws Error: Empty, when there are no points or all that count coincide.
 Normalization normalize(const Shape& shape, std::span<const double> spacing);
 Normalization normalize(const Shape& shape);  ///< The same, with the shape's own spacing.
+
+/// The same of the foreground of a volume, from the exact moments of its voxels as solid boxes.
+/// Throws Error: Empty, when there is none.
+Normalization normalize(const Volume& volume);
 
 /// A shape in the normalised frame, as the silhouette kernels want it; only points that count.
 struct NormalizedShape {

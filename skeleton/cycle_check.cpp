@@ -54,16 +54,27 @@ class CycleCheck {
 
   VoteGraph cut() {
     for (;;) {
-      std::optional<int> worst = farthest_outside();
+      std::optional<int> worst = farthest_outside(true);
       if (!worst) worst = least_supported_contractible();
       if (!worst) return graph_.result();
-      for (const int l : smooth_.links_beside(*worst)) forget(l);
-      graph_.cut(*worst);
-      smooth_.cut(*worst);
+      cut(*worst);
     }
   }
 
+  /// Only what runs outside, and no bridges; none when there is no such link.
+  std::optional<VoteGraph> cut_welds() {
+    bool is_any = false;
+    for (; const auto worst = farthest_outside(false); is_any = true) cut(*worst);
+    return is_any ? std::optional(graph_.result()) : std::nullopt;
+  }
+
  private:
+  void cut(int link) {
+    for (const int l : smooth_.links_beside(link)) forget(l);
+    graph_.cut(link);
+    smooth_.cut(link);
+  }
+
   std::optional<double>& outside(int l) { return outside_[static_cast<std::size_t>(l)]; }
   CycleVerdict& verdict(int l) { return verdicts_[static_cast<std::size_t>(l)]; }
 
@@ -74,11 +85,14 @@ class CycleCheck {
   }
 
   /// The link that runs farthest outside, if any does.
-  std::optional<int> farthest_outside() {
+  std::optional<int> farthest_outside(bool bridges_too) {
     const auto bridge = smooth_.bridges();
     std::vector<int> links;
-    for (int l = 0; l < smooth_.link_count(); ++l)
-      if (can_be_cut(smooth_.link(l), bridge[static_cast<std::size_t>(l)])) links.push_back(l);
+    for (int l = 0; l < smooth_.link_count(); ++l) {
+      const bool is_bridge = bridge[static_cast<std::size_t>(l)];
+      if (is_bridge && !bridges_too) continue;
+      if (can_be_cut(smooth_.link(l), is_bridge)) links.push_back(l);
+    }
     ask_where_outside(links);
     std::optional<int> worst;
     double farthest = 0;
@@ -195,6 +209,11 @@ class CycleCheck {
 VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
   if (shape.is_point_cloud()) return graph;
   return CycleCheck(graph, shape, voxel).cut();
+}
+
+VoteGraph cut_welds(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
+  if (BranchGraph(graph).cycle_count() == 0) return graph;
+  return CycleCheck(graph, shape, voxel).cut_welds().value_or(graph);
 }
 
 VoteGraph cut_surplus_cycles(const VoteGraph& graph, int most_cycles) {

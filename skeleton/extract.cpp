@@ -150,7 +150,8 @@ std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normal
 
 VoteGraph collapse(const VoteGraph& graph, const Shape& shape,
                    const NormalizedShape& normalized_shape, double voxel) {
-  VoteGraph result = cut_short_cycles(collapse_branches(graph, voxel), voxel);
+  VoteGraph result = cut_welds(graph, normalized_shape, voxel);
+  result = cut_short_cycles(collapse_branches(result, voxel), voxel);
   result = cut_false_cycles(result, normalized_shape, voxel);
   if (const auto most = most_cycles(shape, normalized_shape, result))
     result = cut_surplus_cycles(result, *most);

@@ -17,6 +17,11 @@ namespace marrow {
 ///   there, and its least supported branch is cut.
 VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel);
 
+/// The first of these two cuts alone, and only of branches on cycles: to be done before joints
+/// merge. Where two rings touch twice, a joint merged from both sides would hold them together for
+/// good.
+VoteGraph cut_welds(const VoteGraph& graph, const NormalizedShape& shape, double voxel);
+
 /// Cuts branches on cycles, the least supported first, until no more than `most_cycles` are left
 /// (the genus, for a shape whose surface is one closed manifold) or every cycle is a part by
 /// itself.

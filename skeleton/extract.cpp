@@ -14,6 +14,8 @@
 #include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
 #include <marrow/stereo_matching.hpp>
+#include <marrow/volume_summary.hpp>
+#include <marrow/volume_surface.hpp>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -96,6 +98,23 @@ std::vector<double> disc_radii(const Shape& shape, const ExtractOptions& options
   return all_of(without_discs * options.closing / (half_image - options.closing));
 }
 
+/// What is drawn, and the frame it is drawn in.
+struct Framed {
+  Normalization frame;
+  NormalizedShape shape;
+};
+
+Framed in_own_frame(const Shape& shape, const ExtractOptions& options) {
+  const std::vector<double> spacing = disc_radii(shape, options);
+  const Normalization frame = normalize(shape, spacing);
+  return {frame, apply(frame, shape, spacing)};
+}
+
+Framed in_own_frame(const Volume& volume, const ExtractOptions&) {
+  const Normalization frame = normalize(volume);
+  return {frame, apply(frame, boundary_surface(volume))};
+}
+
 /// 21 stereo pairs, each one task; by rays where there is a scene.
 std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
                                      int resolution, int threads) {
@@ -148,12 +167,19 @@ std::optional<int> most_cycles(const Shape& shape, const NormalizedShape& normal
   return static_cast<int>(*summary.handles);
 }
 
-VoteGraph collapse(const VoteGraph& graph, const Shape& shape,
+/// The tunnels through a volume.
+std::optional<int> most_cycles(const Volume& volume, const NormalizedShape&, const VoteGraph&) {
+  const auto topology = topology_of(volume);
+  return topology ? std::optional(static_cast<int>(topology->tunnels)) : std::nullopt;
+}
+
+template <class Input>
+VoteGraph collapse(const VoteGraph& graph, const Input& input,
                    const NormalizedShape& normalized_shape, double voxel) {
   VoteGraph result = cut_welds(graph, normalized_shape, voxel);
   result = cut_short_cycles(collapse_branches(result, voxel), voxel);
   result = cut_false_cycles(result, normalized_shape, voxel);
-  if (const auto most = most_cycles(shape, normalized_shape, result))
+  if (const auto most = most_cycles(input, normalized_shape, result))
     result = cut_surplus_cycles(result, *most);
   return prune_leaves(result, voxel);
 }
@@ -198,33 +224,33 @@ VoxelSet solid_hull(const NormalizedShape& shape, std::span<const StereoImages> 
 }
 
 /// All stages, one after the other; what the next ones do not need is gone.
-CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrace* trace) {
+template <class Input>
+CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrace* trace) {
   using Trace = ExtractTrace;
   check(options);
   const Recorder record(options, trace);
 
   // 4.2, last paragraphs: the shape's own frame.
   record.begin("normalise", 0);
-  const std::vector<double> spacing = disc_radii(shape, options);
-  const Normalization frame = record.keep(&Trace::normalization, normalize(shape, spacing));
-  const NormalizedShape normalized_shape = apply(frame, shape, spacing);
+  const auto [frame, shape] = in_own_frame(input, options);
+  record.keep(&Trace::normalization, frame);
 
   // 4.1: silhouettes, distances, medial axes.
   std::optional<SurfaceScene> scene;
   if (options.silhouettes == SilhouetteMethod::Embree && !shape.is_point_cloud()) {
     record.begin("surface scene", 0.02);
-    run_on(options.max_threads, [&] { scene.emplace(normalized_shape); });
+    run_on(options.max_threads, [&] { scene.emplace(shape); });
   }
   record.begin("views", 0.05);
-  DrawnViews drawn = draw_views(normalized_shape, scene ? &*scene : nullptr, options);
+  DrawnViews drawn = draw_views(shape, scene ? &*scene : nullptr, options);
   const Resolution resolution = record.keep(&Trace::resolution, drawn.resolution);
   const auto views = record.keep(&Trace::views, std::move(drawn.views));
   const double pixel = PixelGrid{resolution.image}.pixel();
 
   // 4.2: matching and voting.
   record.begin("matching", 0.5);
-  const VoteGrid matched = record.keep(
-      &Trace::votes, match(normalized_shape, views, resolution.grid, options.max_threads));
+  const VoteGrid matched =
+      record.keep(&Trace::votes, match(shape, views, resolution.grid, options.max_threads));
   const VoxelGrid grid = matched.grid;
   const double voxel = grid.size;
 
@@ -241,8 +267,7 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
   // In place of 4.4.3: the topology of the visual hull.
   record.begin("hull topology", 0.72);
   const VoxelSet solid = record.keep(
-      &Trace::solid,
-      supported_solid(grid, solid_hull(normalized_shape, views, grid, graph), votes, graph));
+      &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph));
   const auto depth = distance_transform(grid, solid);
   const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
   graph = record.keep(&Trace::thinned,
@@ -250,16 +275,23 @@ CurveSkeleton run(const Shape& shape, const ExtractOptions& options, ExtractTrac
 
   // 4.4.2: branch collapse, and what the surface says of cycles.
   record.begin("branch collapse", 0.95);
-  graph = record.keep(&Trace::collapsed, collapse(graph, shape, normalized_shape, voxel));
+  graph = record.keep(&Trace::collapsed, collapse(graph, input, shape, voxel));
 
   // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)
   record.begin("smoothing", 0.97);
   graph = record.keep(&Trace::smoothed,
                       smooth_branches(trim_leaves(graph, voxel), options.smoothing_passes));
-  graph = with_hull_radii(std::move(graph), normalized_shape, views, pixel, voxel);
+  graph = with_hull_radii(std::move(graph), shape, views, pixel, voxel);
   CurveSkeleton skeleton = record.keep(&Trace::skeleton, to_input_units(graph, frame));
   record.begin("done", 1);
   return skeleton;
+}
+
+template <class Input>
+ExtractTrace run_with_trace(const Input& input, const ExtractOptions& options) {
+  ExtractTrace trace;
+  run(input, options, &trace);
+  return trace;
 }
 
 }  // namespace
@@ -268,10 +300,16 @@ CurveSkeleton extract(const Shape& shape, const ExtractOptions& options) {
   return run(shape, options, nullptr);
 }
 
+CurveSkeleton extract(const Volume& volume, const ExtractOptions& options) {
+  return run(volume, options, nullptr);
+}
+
 ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& options) {
-  ExtractTrace trace;
-  run(shape, options, &trace);
-  return trace;
+  return run_with_trace(shape, options);
+}
+
+ExtractTrace extract_with_trace(const Volume& volume, const ExtractOptions& options) {
+  return run_with_trace(volume, options);
 }
 
 }  // namespace marrow

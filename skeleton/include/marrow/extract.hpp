@@ -42,6 +42,9 @@ struct ExtractOptions {
 /// range), with Embree's silhouettes also Limit (out of memory).
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 
+/// The same of the foreground of a volume, in world units.
+CurveSkeleton extract(const Volume& volume, const ExtractOptions& options = {});
+
 /// All intermediate results, in the order of the paper.
 struct ExtractTrace {
   Normalization normalization;
@@ -60,6 +63,7 @@ struct ExtractTrace {
 
 /// extract(), keeping everything.
 ExtractTrace extract_with_trace(const Shape& shape, const ExtractOptions& options = {});
+ExtractTrace extract_with_trace(const Volume& volume, const ExtractOptions& options = {});
 
 /// A graph in the normalised frame as a skeleton in the units of the shape.
 CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization);

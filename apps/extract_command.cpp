@@ -2,6 +2,7 @@
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
 #include <marrow/simd.hpp>
+#include <marrow/volume_summary.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "progress.hpp"
 #include "statistics.hpp"
 #include "trace.hpp"
+#include "volume_input.hpp"
 
 namespace marrow {
 
@@ -19,6 +21,7 @@ namespace {
 struct ExtractRequest {
   std::string shape, from, out, to, json, trace, simd;
   std::string silhouettes = "scanline";
+  VolumeRequest volume;
   int image = ExtractOptions{}.image_resolution;
   double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
@@ -35,14 +38,23 @@ std::string hash_of(std::string_view bytes) {
   return std::string("fnv1a64:") + digits;
 }
 
-Statistics describe(const InputFile& input, const Shape& shape) {
+void add_size(Statistics& s, const Shape& shape) {
+  s["points"] = shape.points.size();
+  s["triangles"] = shape.triangles.size();
+}
+
+void add_size(Statistics& s, const Volume& volume) {
+  s["voxels"] = {volume.nx, volume.ny, volume.nz};
+  s["foreground"] = foreground_count(volume);
+}
+
+Statistics describe(const InputFile& input, const std::variant<Shape, Volume>& shape) {
   Statistics s;
   s["file"] = input.name;
   s["format"] = input.format;
   s["bytes"] = input.bytes.size();
   s["hash"] = hash_of(input.bytes);
-  s["points"] = shape.points.size();
-  s["triangles"] = shape.triangles.size();
+  std::visit([&](const auto& any) { add_size(s, any); }, shape);
   return s;
 }
 
@@ -53,6 +65,7 @@ Statistics describe(const ExtractRequest& request, const Statistics& input,
   s["program"] = "marrow";
   s["version"] = program_version();
   s["input"] = input;
+  if (input.contains("voxels")) s["options"]["iso"] = request.volume.iso;
   s["options"]["image"] = request.image;
   s["options"]["grid"] = request.grid;
   s["options"]["closing"] = request.closing;
@@ -78,7 +91,8 @@ struct Extraction {
   std::vector<OutputFile> trace;
 };
 
-Extraction run_stages(const ExtractRequest& request, const InputFile& input, const Shape& shape,
+template <class Input>
+Extraction run_stages(const ExtractRequest& request, const InputFile& input, const Input& shape,
                       Progress& progress) {
   ExtractOptions options;
   options.image_resolution = request.image;
@@ -133,11 +147,12 @@ void run_extract(const ExtractRequest& request) {
   Progress progress(request.quiet);
   progress.begin("read", 0);
   InputFile input = read_input(request.shape, request.from);
-  const Shape shape = shape_of(input);
+  const auto shape = shape_or_volume_of(input, request.volume);
   const bool with_json = !request.json.empty();
   const Statistics about_input = with_json ? describe(input, shape) : Statistics();
   std::string().swap(input.bytes);  // as large as the shape
-  Extraction extraction = run_stages(request, input, shape, progress);
+  Extraction extraction =
+      std::visit([&](const auto& any) { return run_stages(request, input, any, progress); }, shape);
   const CurveSkeleton& skeleton = extraction.skeleton;
   const std::vector<StageTime> times = progress.finish();
 
@@ -154,8 +169,9 @@ void run_extract(const ExtractRequest& request) {
 void add_options(CLI::App& verb, ExtractRequest& request) {
   verb.add_option(
           "SHAPE", request.shape,
-          "Shape: .obj .ply .stl .off, or point cloud: .xyz .pts .txt .asc .csv .pcd and .ply\n"
-          ".off .obj without faces; - is standard input")
+          "Shape (.obj .ply .stl .off), point cloud (.xyz .pts .txt .asc .csv .pcd and .ply .off\n"
+          ".obj without faces) or volume (.nrrd .nhdr .nii .binvox .raw, .nii.gz .raw.gz);\n"
+          "- is standard input")
       ->required()
       ->type_name("");
   verb.add_option("-o,--output", request.out,
@@ -163,9 +179,10 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->required()
       ->type_name("OUT");
   add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd"});
+                    {"obj", "ply", "stl", "off", "xyz", "pcd", "nrrd", "nii", "binvox", "raw"});
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
+  add_volume_options(verb, request.volume);
   verb.add_option("--image", request.image,
                   "Pixels along a side of each silhouette; by default 256, and 512 where parts\n"
                   "are thinner than a pixel")
@@ -216,6 +233,7 @@ void add_extract_command(CLI::App& program) {
       "  marrow extract horse.obj -o horse.skel\n"
       "  marrow extract tiny_parts.stl -o out.json --image 1024 --json -\n"
       "  marrow extract lost_limb.ply -o out.obj --trace stages/\n"
+      "  marrow extract vessels.nii.gz -o vessels.skel --iso 120\n"
       "  unzip -p horse.zip | marrow extract - --from ply -o - --to obj | marrow info - --from "
       "obj\n");
   verb->callback([request] { run_extract(*request); });

@@ -16,6 +16,14 @@ namespace fs = std::filesystem;
 
 std::string name_of(const std::string& path) { return path == "-" ? "standard input" : path; }
 
+/// The extension, without the one of gzip behind it: what is compressed shows in the bytes.
+std::string format_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension != "gz") return extension;
+  const std::string inner = extension_of(path.substr(0, path.size() - 3));
+  return inner.empty() ? extension : inner;
+}
+
 /// A name that the format functions of the library understand.
 std::string as_path(const std::string& format) { return "x." + format; }
 
@@ -73,7 +81,7 @@ std::vector<std::string> shape_formats() {
 InputFile read_input(const std::string& path, const std::string& from) {
   if (path == "-" && from.empty())
     throw Error(ErrorKind::Usage, "standard input has no extension; say --from FORMAT");
-  return {name_of(path), from.empty() ? extension_of(path) : from, read_file(path)};
+  return {name_of(path), from.empty() ? format_of(path) : from, read_file(path)};
 }
 
 bool is_skeleton(const InputFile& file) {

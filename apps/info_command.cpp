@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "statistics.hpp"
+#include "volume_input.hpp"
 
 namespace marrow {
 
@@ -12,15 +13,21 @@ namespace {
 
 struct InfoRequest {
   std::string file, from;
+  VolumeRequest volume;
   bool json = false;
 };
+
+Statistics statistics_of_file(const InputFile& input, const VolumeRequest& volume) {
+  if (is_skeleton(input)) return statistics_of(skeleton_of(input));
+  return std::visit([](const auto& shape) { return statistics_of(shape); },
+                    shape_or_volume_of(input, volume));
+}
 
 void run_info(const InfoRequest& request) {
   const InputFile input = read_input(request.file, request.from);
   Statistics statistics;
   statistics["file"] = input.name;
-  statistics.update(is_skeleton(input) ? statistics_of(skeleton_of(input))
-                                       : statistics_of(shape_of(input)));
+  statistics.update(statistics_of_file(input, request.volume));
   write_file("-", request.json ? to_json(statistics) : to_table(statistics));
 }
 
@@ -31,12 +38,15 @@ void add_info_command(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("info", "Counts and measures of a shape or a skeleton");
   verb->add_option(
           "FILE", request->file,
-          "Shape (.obj .ply .stl .off), point cloud (.xyz .pts .txt .asc .csv .pcd .ply) or\n"
-          "skeleton (.obj .skel .ply .json); - is standard input")
+          "Shape (.obj .ply .stl .off), point cloud (.xyz .pts .txt .asc .csv .pcd .ply), volume\n"
+          "(.nrrd .nhdr .nii .binvox .raw, .nii.gz .raw.gz) or skeleton (.obj .skel .ply .json);\n"
+          "- is standard input")
       ->required()
       ->type_name("");
-  add_format_option(*verb, "--from", request->from, "Format of FILE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "skel", "json"});
+  add_format_option(
+      *verb, "--from", request->from, "Format of FILE, whatever its extension",
+      {"obj", "ply", "stl", "off", "xyz", "pcd", "nrrd", "nii", "binvox", "raw", "skel", "json"});
+  add_volume_options(*verb, request->volume);
   verb->add_flag("--json", request->json, "JSON instead of a table");
   verb->footer(
       "An OBJ with lines and no faces, or a PLY with edges and no faces, is a skeleton.\n"
@@ -45,6 +55,7 @@ void add_info_command(CLI::App& program) {
       "Examples:\n"
       "  marrow info horse.obj\n"
       "  marrow info horse.skel --json\n"
+      "  marrow info head.nii.gz --iso 300\n"
       "  marrow extract horse.obj -o - --to obj | marrow info - --from obj\n");
   verb->callback([request] { run_info(*request); });
 }

@@ -1,6 +1,7 @@
 // marrow render: a shape and its skeleton in one picture.
 #include <marrow/error.hpp>
 #include <marrow/file_io.hpp>
+#include <marrow/volume_surface.hpp>
 
 #include <charconv>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "command.hpp"
 #include "picture/png.hpp"
 #include "picture/render.hpp"
+#include "volume_input.hpp"
 
 namespace marrow {
 
@@ -15,7 +17,12 @@ namespace {
 
 struct RenderRequest {
   std::string shape, skeleton, from, out, size = "1600x1200";
+  VolumeRequest volume;
 };
+
+Shape surface_of(const InputFile& input, const VolumeRequest& volume) {
+  return is_volume(input) ? boundary_surface(volume_of(input, volume)) : shape_of(input);
+}
 
 RenderOptions options_of(const std::string& size) {
   constexpr int kLeast = 64, kMost = 16384;
@@ -41,7 +48,8 @@ void run_render(const RenderRequest& request) {
     throw Error(ErrorKind::Usage, "only one of SHAPE and SKELETON can be standard input");
   check_outputs({request.out}, {request.shape, request.skeleton});
   const bool shape_is_named = request.skeleton != "-";
-  const Shape shape = shape_of(read_input(request.shape, shape_is_named ? request.from : ""));
+  const Shape shape =
+      surface_of(read_input(request.shape, shape_is_named ? request.from : ""), request.volume);
   const CurveSkeleton skeleton =
       skeleton_of(read_input(request.skeleton, shape_is_named ? "" : request.from));
   write_png(request.out, render_picture(shape, skeleton, options));
@@ -52,8 +60,10 @@ void run_render(const RenderRequest& request) {
 void add_render_command(CLI::App& program) {
   const auto request = std::make_shared<RenderRequest>();
   CLI::App* verb = program.add_subcommand("render", "A picture of a shape and its skeleton");
-  verb->add_option("SHAPE", request->shape,
-                   "Shape or point cloud: .obj .ply .stl .off .xyz .pcd, or -")
+  verb->add_option(
+          "SHAPE", request->shape,
+          "Shape (.obj .ply .stl .off), point cloud (.xyz .pcd) or volume (.nrrd .nhdr .nii\n"
+          ".binvox .raw, .nii.gz .raw.gz), or -")
       ->required()
       ->type_name("");
   verb->add_option("SKELETON", request->skeleton, "Skeleton: .obj .skel .ply .json, or -")
@@ -62,8 +72,10 @@ void add_render_command(CLI::App& program) {
   verb->add_option("-o,--output", request->out, "The picture: .png, or -")
       ->required()
       ->type_name("FILE");
-  add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "skel", "json"});
+  add_format_option(
+      *verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
+      {"obj", "ply", "stl", "off", "xyz", "pcd", "nrrd", "nii", "binvox", "raw", "skel", "json"});
+  add_volume_options(*verb, request->volume);
   verb->add_option("--size", request->size, "In pixels, 64 to 16384 each")
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();

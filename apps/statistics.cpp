@@ -2,6 +2,7 @@
 
 #include <marrow/bounds.hpp>
 #include <marrow/shape_summary.hpp>
+#include <marrow/volume_summary.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -62,6 +63,21 @@ Statistics statistics_of(const Shape& shape) {
     if (summary.handles) s["handles"] = *summary.handles;
   }
   add_bounds(s, summary.bounds);
+  return s;
+}
+
+Statistics statistics_of(const Volume& volume) {
+  Statistics s;
+  s["kind"] = "volume";
+  s["voxels"] = {volume.nx, volume.ny, volume.nz};
+  s["spacing"] = {length(volume.steps[0]), length(volume.steps[1]), length(volume.steps[2])};
+  s["foreground"] = foreground_count(volume);
+  if (const auto topology = topology_of(volume)) {
+    s["components"] = topology->components;
+    s["cavities"] = topology->cavities;
+    s["tunnels"] = topology->tunnels;
+  }
+  add_bounds(s, foreground_bounds(volume));
   return s;
 }
 

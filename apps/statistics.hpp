@@ -3,6 +3,7 @@
 
 #include <marrow/curve_skeleton.hpp>
 #include <marrow/shape.hpp>
+#include <marrow/volume.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@ namespace marrow {
 using Statistics = nlohmann::ordered_json;
 
 Statistics statistics_of(const Shape& shape);
+Statistics statistics_of(const Volume& volume);
 Statistics statistics_of(const CurveSkeleton& skeleton);
 
 /// JSON with an end of line; bytes that are not UTF-8 are replaced.

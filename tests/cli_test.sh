@@ -114,6 +114,46 @@ grep -q 'torus.obj -> skeleton.obj: .*cycles 1,' stderr || fail "no word about t
 silent render torus.obj skeleton.skel -o picture.png --size 320x240
 [ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "no picture"
 
+# --- volumes --------------------------------------------------------------------------------------
+silent make torus -o torus.nrrd --voxels 40
+good info torus.nrrd
+says '^kind +volume'
+says '^voxels +42 42 12'
+says '^tunnels +1'
+silent extract torus.nrrd -o voxels.obj "${quick[@]}" --json voxels.json
+good info voxels.obj
+says '^cycles +1'
+grep -q '"foreground"' voxels.json || fail "no voxels in the JSON"
+"$marrow" make torus -o - --to nrrd --voxels 40 | cmp -s - torus.nrrd || fail "make to a pipe"
+"$marrow" extract - --from nrrd -o - --to obj "${quick[@]}" <torus.nrrd | cmp -s - voxels.obj ||
+  fail "a volume from a pipe"
+silent render torus.nrrd voxels.obj -o volume.png --size 320x240
+# The same voxels without a header, plain and compressed.
+header=$(awk '{ n += length($0) + 1 } /^$/ { print n; exit }' torus.nrrd)
+tail -c "+$((header + 1))" torus.nrrd | gunzip >torus.raw
+gzip -n <torus.raw >packed.raw.gz
+for file in torus.raw packed.raw.gz; do
+  good info "$file" --dims 42,42,12 --spacing 1,1,2
+  says '^tunnels +1'
+  says '^spacing +1 1 2'
+done
+bad 2 "--dims" extract torus.raw -o out.obj
+bad 2 "three numbers" extract torus.raw -o out.obj --dims 42,42
+bad 2 "three numbers" extract torus.raw -o out.obj --dims 42,42,12,
+bad 2 "nan" extract torus.raw -o out.obj --dims 42,42,12 --iso nan
+bad 4 "mend the sizes" extract torus.raw -o out.obj --dims 42,42,11
+bad 4 "mend the sizes" extract torus.raw -o out.obj --dims 42,42,13
+bad 4 "cut off" extract <(head -c 300 packed.raw.gz) -o out.obj --from raw --dims 42,42,12
+bad 6 "--iso" extract torus.nrrd -o out.obj --iso 1
+bad 2 "no inside" make gingerbread-man -o out.nrrd
+printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 42 42 12\nencoding: raw\ndata file: torus.raw\n' >torus.nhdr
+silent extract torus.nhdr -o again.obj "${quick[@]}"
+mkdir inner
+sed 's/torus.raw/..\/torus.raw/' torus.nhdr >inner/torus.nhdr
+bad 5 "beside the header" extract inner/torus.nhdr -o out.obj
+sed 's/torus.raw/none.raw/' torus.nhdr >inner/torus.nhdr
+bad 3 "inner/none.raw" extract inner/torus.nhdr -o out.obj
+
 # --- the same bytes -------------------------------------------------------------------------------
 for threads in 1 3 8; do
   silent extract torus.obj -o again.obj --threads "$threads" "${quick[@]}"

@@ -128,6 +128,26 @@ TEST_CASE("a weld that parts two pieces is cut between joints only", "[cycle_che
   CHECK(has_node_at(cut(limb, shape), {0, 0, 0}));
 }
 
+TEST_CASE("before joints merge welds on cycles are cut, and nothing else", "[cycle_check]") {
+  const Gate g = narrow(gate_with_weld(kWeak));
+  const NormalizedShape shape = as_normalized(g.shape);
+  const VoteGraph result = cut_welds(g.graph, shape, kVoxel);
+  CHECK(cycles_of(result) == 0);
+  CHECK_FALSE(has_node_at(result, {0, -0.4, 0}, 0.05));
+  // Without the bar the weld is a bridge, which waits.
+  VoteGraph bridged = g.graph;
+  std::erase_if(bridged.edges, [&](const auto& e) {
+    return bridged.nodes[e[0]].position.y > 0.7 && bridged.nodes[e[1]].position.y > 0.7;
+  });
+  CHECK(cycles_of(bridged) == 0);
+  CHECK(cut_welds(bridged, shape, kVoxel) == bridged);
+  // A cycle without a hole is no weld.
+  const VoteGraph square = square_with_arms(0.3);
+  Shape plate;
+  add_box(plate, {-1, -1, -0.1}, {1, 1, 0.1});
+  CHECK(cut_welds(square, as_normalized(plate), kVoxel) == square);
+}
+
 TEST_CASE("the axis of a cup stays", "[cycle_check]") {
   // Five walls and a graph that runs up the middle of the hollow and forks at the rim.
   Shape cup;

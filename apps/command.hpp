@@ -34,10 +34,11 @@ struct InputFile {
   std::string name;    ///< for messages: the path, or "standard input"
   std::string format;  ///< extension, or what --from says
   std::string bytes;
+  ReadOptions limits;
 };
 
 /// Reads `path`; "-" is standard input and needs `from`. Throws Error: Usage, CannotRead, Limit.
-InputFile read_input(const std::string& path, const std::string& from);
+InputFile read_input(const std::string& path, const std::string& from, const ReadOptions& limits);
 
 bool is_skeleton(const InputFile& file);
 /// Throw Error: Unsupported, Malformed, Empty, Limit.

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "limits.hpp"
 #include "progress.hpp"
 #include "statistics.hpp"
 #include "trace.hpp"
@@ -22,6 +23,7 @@ struct ExtractRequest {
   std::string shape, from, out, to, json, trace, simd;
   std::string silhouettes = "scanline";
   VolumeRequest volume;
+  Limits limits;
   int image = ExtractOptions{}.image_resolution;
   double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
@@ -141,12 +143,13 @@ void check_request(const ExtractRequest& request) {
 }
 
 void run_extract(const ExtractRequest& request) {
+  start_clock(request.limits, request.shape);
   check_request(request);
   set_simd_target(request.simd);
   const SkeletonFormat format = output_skeleton_format(request.out, request.to);
   Progress progress(request.quiet);
   progress.begin("read", 0);
-  InputFile input = read_input(request.shape, request.from);
+  InputFile input = read_input(request.shape, request.from, request.limits.read);
   const auto shape = shape_or_volume_of(input, request.volume);
   const bool with_json = !request.json.empty();
   const Statistics about_input = with_json ? describe(input, shape) : Statistics();
@@ -217,6 +220,7 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
   verb.add_option("--trace", request.trace, "Folder for pictures and graphs of every stage")
       ->type_name("DIR");
   verb.add_flag("--quiet", request.quiet, "Say nothing but errors");
+  add_limit_options(verb, request.limits);
 }
 
 }  // namespace

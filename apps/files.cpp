@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "file_kind.hpp"
+#include "limits.hpp"
 
 namespace marrow {
 
@@ -78,10 +79,15 @@ std::vector<std::string> shape_formats() {
   return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
 }
 
-InputFile read_input(const std::string& path, const std::string& from) {
+InputFile read_input(const std::string& path, const std::string& from, const ReadOptions& limits) {
   if (path == "-" && from.empty())
     throw Error(ErrorKind::Usage, "standard input has no extension; say --from FORMAT");
-  return {name_of(path), from.empty() ? format_of(path) : from, read_file(path)};
+  try {
+    return {name_of(path), from.empty() ? format_of(path) : from, read_file(path, limits.max_bytes),
+            limits};
+  } catch (const Error& e) {
+    throw_with_option(e, "--max-file");
+  }
 }
 
 bool is_skeleton(const InputFile& file) {
@@ -98,7 +104,11 @@ Shape shape_of(const InputFile& file) {
                 file.name +
                     ": shapes are OBJ, PLY, STL, OFF, XYZ or PCD files; convert it, or name its "
                     "format by --from");
-  return parse_shape(file.bytes, shape_format_of(as_path(file.format)), file.name);
+  try {
+    return parse_shape(file.bytes, shape_format_of(as_path(file.format)), file.name, file.limits);
+  } catch (const Error& e) {
+    throw_with_option(e, "--max-faces");
+  }
 }
 
 CurveSkeleton skeleton_of(const InputFile& file) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "limits.hpp"
 #include "statistics.hpp"
 #include "volume_input.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 struct InfoRequest {
   std::string file, from;
   VolumeRequest volume;
+  Limits limits;
   bool json = false;
 };
 
@@ -24,7 +26,8 @@ Statistics statistics_of_file(const InputFile& input, const VolumeRequest& volum
 }
 
 void run_info(const InfoRequest& request) {
-  const InputFile input = read_input(request.file, request.from);
+  start_clock(request.limits, request.file);
+  const InputFile input = read_input(request.file, request.from, request.limits.read);
   Statistics statistics;
   statistics["file"] = input.name;
   statistics.update(statistics_of_file(input, request.volume));
@@ -48,6 +51,7 @@ void add_info_command(CLI::App& program) {
       {"obj", "ply", "stl", "off", "xyz", "pcd", "nrrd", "nii", "binvox", "raw", "skel", "json"});
   add_volume_options(*verb, request->volume);
   verb->add_flag("--json", request->json, "JSON instead of a table");
+  add_limit_options(*verb, request->limits);
   verb->footer(
       "An OBJ with lines and no faces, or a PLY with edges and no faces, is a skeleton.\n"
       "Points at the same place count as one when parts and open edges are counted.\n"

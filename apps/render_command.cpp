@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "limits.hpp"
 #include "picture/png.hpp"
 #include "picture/render.hpp"
 #include "volume_input.hpp"
@@ -18,6 +19,7 @@ namespace {
 struct RenderRequest {
   std::string shape, skeleton, from, out, size = "1600x1200";
   VolumeRequest volume;
+  Limits limits;
 };
 
 Shape surface_of(const InputFile& input, const VolumeRequest& volume) {
@@ -41,6 +43,7 @@ RenderOptions options_of(const std::string& size) {
 }
 
 void run_render(const RenderRequest& request) {
+  start_clock(request.limits, request.shape);
   const RenderOptions options = options_of(request.size);
   if (request.out != "-" && extension_of(request.out) != "png")
     throw Error(ErrorKind::Unsupported, request.out + ": pictures are .png files");
@@ -48,10 +51,11 @@ void run_render(const RenderRequest& request) {
     throw Error(ErrorKind::Usage, "only one of SHAPE and SKELETON can be standard input");
   check_outputs({request.out}, {request.shape, request.skeleton});
   const bool shape_is_named = request.skeleton != "-";
-  const Shape shape =
-      surface_of(read_input(request.shape, shape_is_named ? request.from : ""), request.volume);
-  const CurveSkeleton skeleton =
-      skeleton_of(read_input(request.skeleton, shape_is_named ? "" : request.from));
+  const auto read = [&](const std::string& path, bool is_named) {
+    return read_input(path, is_named ? request.from : "", request.limits.read);
+  };
+  const Shape shape = surface_of(read(request.shape, shape_is_named), request.volume);
+  const CurveSkeleton skeleton = skeleton_of(read(request.skeleton, !shape_is_named));
   write_png(request.out, render_picture(shape, skeleton, options));
 }
 
@@ -79,6 +83,7 @@ void add_render_command(CLI::App& program) {
   verb->add_option("--size", request->size, "In pixels, 64 to 16384 each")
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();
+  add_limit_options(*verb, request->limits);
   verb->footer(
       "Four views: the shape as an X-ray, the skeleton coloured by radius, joints and leaves\n"
       "marked.\n"

@@ -54,7 +54,8 @@ Shape ShapeBuilder::finish() && {
 
 void ShapeBuilder::too_many_triangles() const {
   text_detail::fail(ErrorKind::Limit, name_, "",
-                    "holds more triangles than the limit; raise the limit or simplify the shape");
+                    "holds more triangles than the limit of " + std::to_string(max_triangles_) +
+                        "; raise the limit or simplify the shape");
 }
 
 /// Points that are not finite are an error where they count: in a face, or if there is no face.

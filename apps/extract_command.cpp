@@ -1,6 +1,7 @@
 // marrow extract: a shape in, its curve-skeleton out.
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
+#include <marrow/parts.hpp>
 #include <marrow/simd.hpp>
 #include <marrow/volume_summary.hpp>
 
@@ -28,6 +29,8 @@ struct ExtractRequest {
   double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
   int threads = 0;
+  bool largest = false;
+  double min_part = 0;  // percent
   bool quiet = false;
 };
 
@@ -72,6 +75,8 @@ Statistics describe(const ExtractRequest& request, const Statistics& input,
   s["options"]["grid"] = request.grid;
   s["options"]["closing"] = request.closing;
   s["options"]["silhouettes"] = request.silhouettes;
+  s["options"]["largest"] = request.largest;
+  s["options"]["min_part"] = request.min_part;
   s["skeleton"] = statistics_of(skeleton);
   s["run"]["threads"] = request.threads;
   double total = 0;
@@ -116,6 +121,12 @@ Extraction run_stages(const ExtractRequest& request, const InputFile& input, con
   }
 }
 
+CurveSkeleton kept_parts(const ExtractRequest& request, CurveSkeleton skeleton) {
+  if (request.largest) return largest_part(skeleton);
+  if (request.min_part > 0) return large_parts(skeleton, request.min_part / 100);
+  return skeleton;
+}
+
 void say_what_is_there(const ExtractRequest& request, const InputFile& input,
                        const CurveSkeleton& skeleton, const std::vector<StageTime>& times) {
   double seconds = 0;
@@ -156,7 +167,7 @@ void run_extract(const ExtractRequest& request) {
   std::string().swap(input.bytes);  // as large as the shape
   Extraction extraction =
       std::visit([&](const auto& any) { return run_stages(request, input, any, progress); }, shape);
-  const CurveSkeleton& skeleton = extraction.skeleton;
+  const CurveSkeleton skeleton = kept_parts(request, std::move(extraction.skeleton));
   const std::vector<StageTime> times = progress.finish();
 
   std::vector<OutputFile> files = std::move(extraction.trace);
@@ -206,6 +217,13 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->check(CLI::IsMember({"scanline", "embree"}).description(""))
       ->type_name("scanline|embree")
       ->capture_default_str();
+  const auto largest =
+      verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
+  verb.add_option("--min-part", request.min_part,
+                  "Drop parts whose lines are shorter than this share of the longest part's")
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name("PERCENT")
+      ->excludes(largest);
   verb.add_option("--threads", request.threads,
                   "Threads at most, 0 for all; the result does not depend on it")
       ->check(CLI::Range(0, 1024).description(""))

@@ -193,7 +193,8 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->required()
       ->type_name("OUT");
   add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "nrrd", "nii", "binvox", "raw"});
+                    {"obj", "ply", "stl", "off", "xyz", "pcd", "gltf", "glb", "fbx", "dae", "3ds",
+                     "x3d", "3mf", "nrrd", "nii", "binvox", "raw"});
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
   add_volume_options(verb, request.volume);
@@ -249,7 +250,9 @@ void add_extract_command(CLI::App& program) {
   add_options(*verb, *request);
   verb->footer(
       "Positions and radii are in the units of the shape. Any triangle soup will do: open, in\n"
-      "parts, with holes or flipped faces; and any point cloud, without normals.\n"
+      "parts, with holes or flipped faces; and any point cloud, without normals. Where\n"
+      "marrow-import is installed, shapes are also read from .gltf .glb .fbx .dae .3ds .x3d\n"
+      "and .3mf files.\n"
       "\n"
       "Examples:\n"
       "  marrow extract horse.obj -o horse.skel\n"

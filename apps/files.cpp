@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "file_kind.hpp"
+#include "importer.hpp"
 #include "limits.hpp"
 
 namespace marrow {
@@ -98,6 +99,7 @@ bool is_skeleton(const InputFile& file) {
 }
 
 Shape shape_of(const InputFile& file) {
+  if (is_imported(file)) return imported_shape(file);
   const std::vector<std::string> known = shape_formats();
   if (std::find(known.begin(), known.end(), file.format) == known.end())
     throw Error(ErrorKind::Unsupported,

@@ -3,6 +3,7 @@
 # 22.04 and 24.04. Does nothing, and asks no network, when everything is there.
 #
 #   scripts/setup.sh           what building and testing needs
+#   scripts/setup.sh --all     also what optional parts of the program need
 #   scripts/setup.sh --dev     also what CI checks the sources with
 #   scripts/setup.sh --bench   also what bench/compare measures Marrow against
 #
@@ -22,8 +23,15 @@ packages=(
   libpng-dev            # PNG
   catch2                # the tests
 )
+optional=(
+  libassimp-dev         # marrow-import: glTF, FBX and others
+)
 case "${1-}" in
-  --dev) packages+=(clang-format clang-tidy shellcheck python3-pyflakes valgrind libbenchmark-dev) ;;
+  --all) packages+=("${optional[@]}") ;;
+  --dev)
+    packages+=("${optional[@]}" clang-format clang-tidy shellcheck python3-pyflakes valgrind)
+    packages+=(libbenchmark-dev)
+    ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
 esac
 

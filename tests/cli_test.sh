@@ -241,7 +241,7 @@ bad 2 '--closing' extract cloud.xyz -o out.obj --closing 25
 touch nothing.obj
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 99\n' >broken.obj
 printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
-cp torus.obj torus.fbx
+cp torus.obj torus.blend
 mkdir folder.obj
 
 bad 2 'a verb is missing; see marrow --help'
@@ -257,7 +257,7 @@ bad 2 '--threads' extract torus.obj -o out.obj --threads -1
 bad 2 '--silhouettes' extract torus.obj -o out.obj --silhouettes rays
 bad 2 '--from' extract - -o out.obj
 bad 2 '--to' extract torus.obj -o -
-bad 2 '--from' extract torus.obj -o out.obj --from fbx
+bad 2 '--from' extract torus.obj -o out.obj --from blend
 bad 2 'twice' extract torus.obj -o - --to obj --json -
 bad 2 'twice' extract torus.obj -o out.obj --json out.obj
 bad 2 'is the input' extract torus.obj -o torus.obj
@@ -275,7 +275,7 @@ bad 3 'folder.obj' info folder.obj
 bad 4 'broken.obj:3' extract broken.obj -o out.obj
 bad 4 'torus.obj' render torus.obj torus.obj -o out.png
 bad 4 'not JSON' info torus.obj --from json
-bad 5 'torus.fbx' extract torus.fbx -o out.obj
+bad 5 'torus.blend' extract torus.blend -o out.obj
 bad 5 'out.fbx' extract torus.obj -o out.fbx
 bad 5 'out.jpg' render torus.obj skeleton.obj -o out.jpg
 bad 5 'out.gltf' make torus -o out.gltf

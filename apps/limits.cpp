@@ -8,7 +8,6 @@
 namespace marrow {
 
 void add_limit_options(CLI::App& verb, Limits& limits) {
-  constexpr const char* kGroup = "Limits (exit status 7)";
   // Numbers below zero come out of the parser as very large ones.
   const auto in_range = CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62).description("");
   verb.add_option("--max-file", limits.read.max_bytes,
@@ -16,18 +15,18 @@ void add_limit_options(CLI::App& verb, Limits& limits) {
       ->transform(CLI::AsSizeValue(false).description(""))
       ->check(in_range)
       ->type_name("SIZE")
-      ->group(kGroup);
+      ->group(kLimitGroup);
   verb.add_option("--max-faces", limits.read.max_triangles,
                   "Triangles of a shape at most, after its polygons have been cut")
       ->check(in_range)
       ->type_name("N")
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kLimitGroup);
   verb.add_option("--timeout", limits.timeout, "Seconds at most from start to end, 0 for no limit")
       ->check(CLI::Range(0, 1'000'000'000).description(""))
       ->type_name("SECONDS")
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kLimitGroup);
 }
 
 void start_clock(const Limits& limits, const std::string& file) {

@@ -10,6 +10,9 @@
 
 namespace marrow {
 
+/// Where --help tells of limits.
+inline constexpr const char* kLimitGroup = "Limits (exit status 7)";
+
 struct Limits {
   ReadOptions read;
   int timeout = 3600;  ///< seconds, 0 for none

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "limits.hpp"
+
 namespace marrow {
 
 namespace {
@@ -73,12 +75,18 @@ void add_volume_options(CLI::App& verb, VolumeRequest& request) {
   verb.add_option("--spacing", request.spacing, "Of a raw volume: from voxel to voxel")
       ->type_name("X,Y,Z")
       ->capture_default_str();
+  verb.add_option("--max-voxels", request.max_voxels, "Voxels of a volume at most")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62).description(""))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kLimitGroup);
 }
 
 VolumeOptions volume_options_of(const VolumeRequest& request) {
   VolumeOptions options;
   if (std::isnan(request.iso)) throw Error(ErrorKind::Usage, "--iso: nan is not a number");
   options.iso = request.iso;
+  options.max_voxels = request.max_voxels;
   if (!request.dims.empty()) options.dims = triple_of<std::uint64_t>("--dims", request.dims);
   for (const TypeName& t : kTypes)
     if (request.type == t.name) options.type = t.type, options.order = t.order;
@@ -90,8 +98,13 @@ VolumeOptions volume_options_of(const VolumeRequest& request) {
 bool is_volume(const InputFile& file) { return volume_format_of("x." + file.format).has_value(); }
 
 Volume volume_of(const InputFile& file, const VolumeRequest& request) {
-  return parse_volume(file.bytes, *volume_format_of("x." + file.format), file.name,
-                      volume_options_of(request));
+  VolumeOptions options = volume_options_of(request);
+  options.max_bytes = file.limits.max_bytes;
+  try {
+    return parse_volume(file.bytes, *volume_format_of("x." + file.format), file.name, options);
+  } catch (const Error& e) {
+    throw_with_option(e, "--max-voxels");
+  }
 }
 
 std::variant<Shape, Volume> shape_or_volume_of(const InputFile& file,

@@ -15,10 +15,11 @@ namespace marrow {
 /// What the words of a command say about a volume.
 struct VolumeRequest {
   double iso = 0;
+  std::uint64_t max_voxels = VolumeOptions{}.max_voxels;
   std::string dims, type = "u8", spacing = "1,1,1";
 };
 
-/// Adds --iso, --dims, --type and --spacing.
+/// Adds --iso, --dims, --type, --spacing and --max-voxels.
 void add_volume_options(CLI::App& verb, VolumeRequest& request);
 
 /// Throws Error: Usage.

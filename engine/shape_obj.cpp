@@ -188,8 +188,9 @@ class ObjChecker : public std::streambuf {
       ++corner_count_;
     }
     if (corner_count_ == 0) fail("a face without corners");
-    const std::string_view raw = lines_.raw();
-    const bool as_it_stands = raw.ends_with('\n') && statement.size() == lines_.line().size();
+    const std::string_view raw = lines_.raw(), line = lines_.line();
+    const bool as_it_stands =
+        raw.ends_with('\n') && statement.data() == line.data() && statement.size() == line.size();
     if (!as_it_stands) passed_.assign(statement) += '\n';
     // The get area is only read from.
     char* const begin = as_it_stands ? const_cast<char*>(raw.data()) : passed_.data();

@@ -115,6 +115,7 @@ TEST_CASE("OBJ: ends of line, blanks, comments, a mark at the front", "[shape_io
 TEST_CASE("OBJ: a backslash joins lines", "[shape_io][obj]") {
   CHECK(obj("v 0 \\\n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2\\\n\\\r\n 3 4\n") == kTwoTriangles);
   CHECK(obj("v \\\n0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf \\\n1 2 3 4") == kTwoTriangles);
+  CHECK(obj(kSquare + "f 1/ 2 \\\n3 4 #-------\n") == kTwoTriangles);  // both lines of 12
   check_malformed(kSquare + "f 1 2 \\\n", "5", "ends where the line should go on");
   check_malformed(kSquare + "f 1 2 \\\n x\n", "5", "'x' is not a corner");
 }

@@ -147,8 +147,8 @@ void backward(const Blocks& blocks, const BitImage::Word* bits, const Distance* 
 }
 
 void transform(const DistanceTask& task) {
-  const auto& [silhouette, box, rim, target, stride] = task;
-  const int width = silhouette->width(), last = (box.right + kBlock - 1) / kBlock * kBlock;
+  const auto &box = task.box, &rim = task.rim;
+  const int width = task.silhouette->width(), last = (box.right + kBlock - 1) / kBlock * kBlock;
   const Blocks blocks{box.left, last, width};
   const auto distance = [](int pixels) { return static_cast<Distance>(kAlong * pixels); };
   const auto size = static_cast<std::size_t>(last + 2 * kBlock);
@@ -160,8 +160,8 @@ void transform(const DistanceTask& task) {
     row[column(last)] = before[column(last)] = distance(rim.right);
   };
   const auto run = [&](int y, const auto& pass) {
-    pass(blocks, silhouette->row(y), &before[column(0)], &row[column(0)],
-         target + (y - box.top) * stride);
+    pass(blocks, task.silhouette->row(y), &before[column(0)], &row[column(0)],
+         task.target + (y - box.top) * task.stride);
     std::swap(row, before);
   };
   start(rim.top);

@@ -10,6 +10,7 @@
 #include "lattice_surface_detail.hpp"
 #include "prescale_detail.hpp"
 #include "principal_frame_detail.hpp"
+#include "shape_check_detail.hpp"
 #include "used_points_detail.hpp"
 
 namespace marrow {
@@ -32,6 +33,7 @@ std::vector<Triangle> renumbered(const Shape& shape, const std::vector<std::uint
 
 /// The frame of a shape, which must have triangles.
 Normalization normalize_triangles(const Shape& shape) {
+  check_shape(shape);
   const auto used = used_points(shape);
   Bounds box;
   for_used_points(shape, used, [&](const Vec3& p) { box.add(p); });

@@ -9,6 +9,7 @@
 #include "neighbour_distance_detail.hpp"
 #include "position_hash_detail.hpp"
 #include "prescale_detail.hpp"
+#include "shape_check_detail.hpp"
 
 namespace marrow {
 
@@ -70,6 +71,7 @@ float percentile(std::vector<float> values, std::size_t percent) {
 
 std::vector<double> point_spacing(const Shape& shape) {
   if (!shape.is_point_cloud() || shape.points.empty()) return {};
+  check_shape(shape);
   const std::vector<std::uint32_t> distinct = distinct_points(shape.points);
   const UnitBox box(shape.points);
   std::vector<PointF> unit;

@@ -6,9 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <optional>
+#include <string>
 
 #include "catch.hpp"
 #include "scale.hpp"
+#include "skeleton_faults.hpp"
 
 using namespace marrow;
 
@@ -66,26 +70,38 @@ ExtractOptions small_options() {
   return options;
 }
 
-void require_valid(const CurveSkeleton& skeleton) {
-  REQUIRE(!skeleton.edges.empty());
-  for (const auto& n : skeleton.nodes) {
-    REQUIRE((std::isfinite(n.position.x) && std::isfinite(n.position.y)));
-    REQUIRE((std::isfinite(n.position.z) && std::isfinite(n.radius)));
-    REQUIRE(n.radius > 0);
-  }
-  for (std::size_t i = 0; i < skeleton.edges.size(); ++i) {
-    REQUIRE(skeleton.edges[i][0] < skeleton.edges[i][1]);
-    REQUIRE(skeleton.edges[i][1] < skeleton.nodes.size());
-    if (i > 0) REQUIRE(skeleton.edges[i - 1] < skeleton.edges[i]);
+void require_valid(const CurveSkeleton& skeleton, const Shape& shape) {
+  const std::string fault = test::fault_of(skeleton, shape, small_options().image_resolution);
+  INFO(fault);
+  REQUIRE(fault.empty());
+}
+
+/// The skeleton, or the kind of error where there is none.
+struct Outcome {
+  CurveSkeleton skeleton;
+  std::optional<ErrorKind> error;
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+Outcome outcome_of(const Shape& shape, int threads) {
+  ExtractOptions options = small_options();
+  options.max_threads = threads;
+  try {
+    return {extract(shape, options), {}};
+  } catch (const Error& e) {
+    return {{}, e.kind()};
   }
 }
 
-void require_valid_or_error(const Shape& shape) {
-  try {
-    require_valid(extract(shape, small_options()));
-  } catch (const Error& e) {
-    REQUIRE(e.kind() == ErrorKind::Empty);
-  }
+/// Also that it is the same a second time, with another number of threads.
+void require_valid_or_error(const Shape& shape, ErrorKind error = ErrorKind::Empty) {
+  const Outcome outcome = outcome_of(shape, 0);
+  if (outcome.error)
+    REQUIRE(*outcome.error == error);
+  else
+    require_valid(outcome.skeleton, shape);
+  REQUIRE(outcome_of(shape, 1) == outcome);
 }
 
 }  // namespace
@@ -94,9 +110,58 @@ TEST_CASE("random soups give a valid skeleton or an error", "[robustness]") {
   for (std::uint64_t seed = 0; seed < std::uint64_t{scaled(40, 6)}; ++seed) {
     CAPTURE(seed);
     Lcg random(seed);
-    const int triangles = 1 + static_cast<int>(random.unit() * 200);
+    const double most = seed % 4 == 0 ? 1000 : 200;
+    const int triangles = 1 + static_cast<int>(random.unit() * most);
     require_valid_or_error(soup(triangles, [&] { return random.point(); }));
   }
+}
+
+TEST_CASE("soups of small and large triangles, each a few times over", "[robustness]") {
+  for (std::uint64_t seed = 0; seed < std::uint64_t{scaled(20, 3)}; ++seed) {
+    CAPTURE(seed);
+    Lcg random(seed);
+    Shape shape;
+    for (int i = 0; i < 100; ++i) {
+      const double size = std::pow(10.0, -9 * random.unit());
+      const Vec3 a = random.point(), b = a + random.point() * size, c = a + random.point() * size;
+      add(shape, a, b, c);
+      if (i % 3 == 0) shape.triangles.insert(shape.triangles.end(), 4, shape.triangles.back());
+      if (i % 5 == 0) add(shape, c, b, a);
+      if (i % 7 == 0) add(shape, a, b, b);
+      if (i % 9 == 0) add(shape, a, a + (c - a) * 0.5, c);
+    }
+    require_valid_or_error(shape);
+  }
+}
+
+TEST_CASE("coordinates of all magnitudes at once", "[robustness]") {
+  for (std::uint64_t seed = 0; seed < std::uint64_t{scaled(20, 3)}; ++seed) {
+    CAPTURE(seed);
+    Lcg random(seed);
+    const double range = seed % 2 == 0 ? 300 : 30;
+    require_valid_or_error(soup(1 + static_cast<int>(random.unit() * 100), [&] {
+      const double size = std::pow(10.0, range * (2 * random.unit() - 1));
+      return random.point() * size;
+    }));
+  }
+}
+
+TEST_CASE("a point that is not finite or not there is refused where it counts", "[robustness]") {
+  using Limits = std::numeric_limits<double>;
+  for (const double value : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
+    CAPTURE(value);
+    for (const std::size_t at : {0, 17, 59}) {
+      Lcg random(3);
+      Shape shape = soup(20, [&] { return random.point(); });
+      shape.points[at].y = value;
+      CHECK(outcome_of(shape, 0).error == ErrorKind::Malformed);
+      shape.triangles.erase(shape.triangles.begin() + static_cast<std::ptrdiff_t>(at / 3));
+      require_valid(outcome_of(shape, 0).skeleton, shape);
+    }
+  }
+  Shape shape = rod(0.1);
+  shape.triangles[3][1] = static_cast<std::uint32_t>(shape.points.size());
+  CHECK(outcome_of(shape, 0).error == ErrorKind::Malformed);
 }
 
 TEST_CASE("soups along a line, in a plane and of needles", "[robustness]") {
@@ -133,7 +198,7 @@ TEST_CASE("a rod thinner than a pixel is one line, however fine the grid", "[rob
   for (const double radius : {1e-3, 1e-5, 1e-7}) {
     CAPTURE(radius);
     const CurveSkeleton skeleton = extract(rod(radius), options);
-    require_valid(skeleton);
+    require_valid(skeleton, rod(radius));
     CHECK(total_length(skeleton) > 1);
   }
 }

@@ -32,7 +32,8 @@ struct Normalization {
 /// two or three moments coincide, the input axes decide. Sums are integers: the order of points and
 /// triangles does not matter. Unused points never count. Of a point cloud the points themselves are
 /// taken, all with the same weight, repeated ones once; `spacing` is what point_spacing() gives.
-/// Throws Error: Empty, when there are no points or all that count coincide.
+/// Throws Error: Empty, when there are no points or all that count coincide; Malformed, when one
+/// that counts is not finite, or a triangle has a corner that is no point.
 Normalization normalize(const Shape& shape, std::span<const double> spacing);
 Normalization normalize(const Shape& shape);  ///< The same, with the shape's own spacing.
 

@@ -38,8 +38,9 @@ struct ExtractOptions {
 /// and options give the same bytes on any machine with any number of threads (with Embree's
 /// silhouettes, where Embree is the same). There is always an edge: where the method leaves none, a
 /// line of two nodes along the principal axis stands for the shape, short for a ball, long for a
-/// rod thinner than a pixel. Throws Error: Empty (nothing to skeletonise), Usage (an option out of
-/// range), with Embree's silhouettes also Limit (out of memory).
+/// rod thinner than a pixel. Throws Error: Empty (nothing to skeletonise), Malformed (a point that
+/// counts is not finite, or a corner is no point), Usage (an option out of range), with Embree's
+/// silhouettes also Limit (out of memory).
 CurveSkeleton extract(const Shape& shape, const ExtractOptions& options = {});
 
 /// The same of the foreground of a volume, in world units.

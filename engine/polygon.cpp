@@ -157,7 +157,8 @@ PolygonCut cut_polygon(std::span<const Vec3> corners) {
       return {std::move(*triangles),
               {points.begin() + static_cast<std::ptrdiff_t>(n), points.end()}};
     }
-    if (!split_crossings(graph, points, budget)) break;
+    // More pieces than n straight edges can cut each other into are made by rounding alone.
+    if (graph.edges.size() > n * n || !split_crossings(graph, points, budget)) break;
   }
   return {fan(n, 0), {}};
 }

@@ -22,7 +22,8 @@ struct PolygonCut {
 /// finite, of any magnitude; corners closer than 1e-9 of the polygon's size are one.
 /// Takes O(n log n) for n corners, unless the polygon touches or crosses itself. Of a polygon
 /// without an inside the edges are left, as triangles of no width. One that crosses itself more
-/// than some 100,000 times is cut into a fan, which then may cover more.
+/// than some 100,000 times, or has edges so close that rounding makes them cross again and again,
+/// is cut into a fan, which then may cover more.
 PolygonCut cut_polygon(std::span<const Vec3> corners);
 
 }  // namespace marrow

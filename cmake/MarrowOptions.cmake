@@ -23,6 +23,13 @@ if(MARROW_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(marrow_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(MARROW_FUZZ)
+  target_compile_definitions(marrow_options INTERFACE _GLIBCXX_ASSERTIONS)
+  target_compile_options(marrow_options INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+    -fno-omit-frame-pointer)
+  target_link_options(marrow_options INTERFACE -fsanitize=address,undefined)
+endif()
 
 # Embree 3 or 4, target `embree`, for the folder that asks: both have the same name for the target.
 macro(marrow_find_embree)

@@ -6,6 +6,7 @@
 #   scripts/setup.sh --all     also what optional parts of the program need
 #   scripts/setup.sh --dev     also what CI checks the sources with
 #   scripts/setup.sh --bench   also what bench/compare measures Marrow against
+#   scripts/setup.sh --fuzz    also what scripts/fuzz.sh fuzzes with
 #
 # MARROW_SETUP=skip makes it do nothing, for machines that have the libraries from elsewhere.
 
@@ -33,6 +34,11 @@ case "${1-}" in
     packages+=(libbenchmark-dev)
     ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
+  --fuzz)
+    packages+=(clang)
+    # In Ubuntu 22.04 the runtime of its fuzzer comes with clang itself.
+    grep -q jammy /etc/os-release || packages+=(libclang-rt-dev)
+    ;;
 esac
 
 is_installed() {

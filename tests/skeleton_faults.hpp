@@ -33,13 +33,13 @@ inline std::string fault_of(const CurveSkeleton& skeleton) {
 }
 
 /// The same for what extract() gives for `shape` with images of `image` pixels: also an edge, and
-/// no node more than three pixels outside the box of the shape, in its own frame. A pixel's
+/// no node more than three pixels outside the box of a mesh, in its own frame. A pixel's
 /// diagonal is what a silhouette may be too large by; no image looks exactly along a side of the
 /// box, so that the hull is thicker than that by its slant.
 inline std::string fault_of(const CurveSkeleton& skeleton, const Shape& shape, int image) {
   if (skeleton.edges.empty()) return "there is no edge";
   const std::string fault = fault_of(skeleton);
-  if (!fault.empty()) return fault;
+  if (!fault.empty() || shape.is_point_cloud()) return fault;
   const Normalization frame = normalize(shape);
   const NormalizedShape own = apply(frame, shape);
   const double pixel = PixelGrid{image}.pixel();

@@ -1,5 +1,5 @@
-// Bytes as a soup of triangles: a valid skeleton comes out, the same with one thread and with two,
-// or one clean error.
+// Bytes as a soup of triangles, or as a point cloud: a valid skeleton comes out, the same with one
+// thread and with two, or one clean error.
 //
 // The first byte is the grid and the threads, the second the number of points. A point is three
 // coordinates of two bytes, then all that is left are triangles, of one byte for each corner.

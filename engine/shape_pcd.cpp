@@ -140,7 +140,9 @@ class PcdBodyReader {
   Shape read() && {
     // A count is only believed if the rest of the file has room for it.
     const std::uint64_t least = header_.is_binary ? row_bytes_ : 2 * columns_;
-    if (header_.points > (header_.body.size() + 1) / least)
+    // Behind the last value of a text there need not be an end of line.
+    const std::uint64_t room = header_.body.size() + (header_.is_binary ? 0 : 1);
+    if (header_.points > room / least)
       text_detail::fail(ErrorKind::Malformed, name_, "header",
                         "counts " + std::to_string(header_.points) + " points, but only " +
                             std::to_string(header_.body.size()) +

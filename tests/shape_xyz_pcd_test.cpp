@@ -109,9 +109,11 @@ TEST_CASE("bad PCD files are refused by their place", "[shape_pcd]") {
   refused(replaced(text, "VERSION", "VERTION"), "2", "'VERTION'");
   refused(replaced(text, "DATA ascii", "DATA text"), "11", "'text'");
   refused(replaced(text, "9 0.5", "9 half"), "13", "'half'");
-  refused(replaced(text, "9 0.5 6 1 1 1", "9 0.5"), "13", "fewer values");
+  refused(replaced(text, "9 0.5 6 1 1 1", "9 0.5000000000000"), "13", "fewer values");
   refused(text + "1 1 1 1 1 1 1\n", "14", "goes on");
-  refused(replaced(text, "\n-4 9 0.5 6 1 1 1", ""), "12", "1 of 2");
+  refused(replaced(text, "2 3 1 1 1\n-4 9 0.5 6 1 1 1", "2 3 1 1.000000000000000 1"), "12",
+          "1 of 2");
+  refused(replaced(text, "\n-4 9 0.5 6 1 1 1", ""), "header", "counts 2 points");
   refused(replaced(replaced(text, "WIDTH 2", "WIDTH 4294967295"), "POINTS 2", "POINTS 4294967295"),
           "header", "4294967295 points");
   refused("FIELDS x y z\n", "1", "DATA");
@@ -140,7 +142,8 @@ TEST_CASE("wounded clouds are refused or sound", "[shape_xyz][shape_pcd]") {
       if (random.below(4) == 0)
         wounded.resize(random.below(static_cast<std::uint32_t>(wounded.size())));
       try {
-        CHECK(is_sound(parse_shape(wounded, format, "file")));
+        const Shape shape = parse_shape(wounded, format, "file");
+        CHECK(is_sound(shape));
       } catch (const Error& e) {
         CHECK(e.kind() != ErrorKind::Internal);
       }

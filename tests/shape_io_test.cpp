@@ -267,8 +267,8 @@ TEST_CASE("bad files of the collection, where it is there", "[shape_io]") {
     const std::string name = entry.path().filename();
     INFO(name);
     const std::string extension = extension_of(name);
-    const bool ours =
-        extension == "obj" || extension == "ply" || extension == "stl" || extension == "off";
+    const bool ours = extension == "obj" || extension == "ply" || extension == "stl" ||
+                      extension == "off" || extension == "xyz";
     try {
       const Shape shape = read_shape(entry.path());
       CHECK(is_sound(shape));

@@ -232,8 +232,9 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
 
   // 4.2, last paragraphs: the shape's own frame.
   record.begin("normalise", 0);
-  const auto [frame, shape] = in_own_frame(input, options);
-  record.keep(&Trace::normalization, frame);
+  const Framed framed = in_own_frame(input, options);
+  const Normalization frame = record.keep(&Trace::normalization, framed.frame);
+  const NormalizedShape& shape = framed.shape;
 
   // 4.1: silhouettes, distances, medial axes.
   std::optional<SurfaceScene> scene;

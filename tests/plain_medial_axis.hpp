@@ -120,8 +120,9 @@ class PlainMedialAxis {
   }
 
   double reach(int end, int joint) const {
-    const double dx = end % width_ - joint % width_, dy = end / width_ - joint / width_;
-    return std::sqrt(dx * dx + dy * dy) + pixels_of(distance_[end]) - pixels_of(distance_[joint]);
+    const int dx = end % width_ - joint % width_, dy = end / width_ - joint / width_;
+    return std::sqrt(static_cast<double>(dx * dx + dy * dy)) + pixels_of(distance_[end]) -
+           pixels_of(distance_[joint]);
   }
 
   void prune(double most) {

@@ -20,13 +20,15 @@ class SparseArray {
     for (auto& block : blocks_) delete[] block.load(std::memory_order_relaxed);
   }
 
-  T& operator[](std::size_t i) {
-    auto& block = blocks_[i / Block];
-    T* seen = block.load(std::memory_order_acquire);
-    return (seen != nullptr ? seen : make(block))[i % Block];
-  }
+  T& operator[](std::size_t i) { return *(block_of(i) + i % Block); }
 
  private:
+  T* block_of(std::size_t i) {
+    auto& block = blocks_[i / Block];
+    T* seen = block.load(std::memory_order_acquire);
+    return seen != nullptr ? seen : make(block);
+  }
+
   static T* make(std::atomic<T*>& block) {
     auto fresh = std::make_unique<T[]>(Block);
     T* seen = nullptr;

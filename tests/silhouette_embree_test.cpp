@@ -105,7 +105,7 @@ TEST_CASE("rays and scanlines differ on the border only, and there seldom", "[em
   for (const char* name : {"torus", "y-union", "trefoil", "octopus", "quadruped", "plant"}) {
     const NormalizedShape shape = made(name);
     const SurfaceScene scene(shape);
-    const auto planes = planes_of(shape, scaled(4, 10));
+    const auto planes = planes_of(shape, 4);
     for (const int n : {256, 512, 1024}) {
       Disagreement sum;
       int worst_off = 0;
@@ -190,8 +190,7 @@ TEST_CASE("the same rays from one thread and from many, whoever built the tree",
 
 TEST_CASE("skeletons from rays and from scanlines agree", "[embree][extract]") {
   ExtractOptions options;
-  options.image_resolution = scaled(256, 128);
-  options.grid_resolution = scaled(128, 48);
+  options.image_resolution = 256;  // at fewer pixels the rays' border pixels weigh more
   for (const char* name : {"torus", "y", "vessel-tree", "stick-figure", "double-torus"}) {
     const Shape shape = make_analytic_shape(name, {kLeastResolution}).shape;
     options.silhouettes = SilhouetteMethod::Scanline;

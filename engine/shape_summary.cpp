@@ -1,3 +1,4 @@
+#include <marrow/disjoint_sets.hpp>
 #include <marrow/shape_summary.hpp>
 
 #include <algorithm>
@@ -36,30 +37,12 @@ std::vector<Triangle> welded_triangles(const Shape& shape) {
   return result;
 }
 
-class Parts {
- public:
-  explicit Parts(std::size_t places) : parent_(places) {
-    std::iota(parent_.begin(), parent_.end(), PlaceId{0});
-  }
-  void join(PlaceId a, PlaceId b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  PlaceId root(PlaceId p) {
-    while (parent_[p] != p) p = parent_[p] = parent_[parent_[p]];
-    return p;
-  }
-
- private:
-  std::vector<PlaceId> parent_;
-};
-
 struct Places {
   std::size_t used = 0, components = 0;
 };
 
 Places count_places(const std::vector<Triangle>& triangles, std::size_t points) {
-  Parts parts(points);
+  DisjointSets parts(points);
   std::vector<std::uint8_t> used(points, 0);
   for (const Triangle& t : triangles) {
     parts.join(t[0], t[1]);

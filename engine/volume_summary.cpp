@@ -1,8 +1,8 @@
+#include <marrow/disjoint_sets.hpp>
 #include <marrow/volume_summary.hpp>
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <vector>
 
 #include "volume_rows_detail.hpp"
@@ -22,32 +22,6 @@ struct Run {
   int first, last;
 };
 
-/// Disjoint sets of runs.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size), count_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-
-  void join(std::size_t a, std::size_t b) {
-    const std::uint32_t ra = root(static_cast<std::uint32_t>(a)),
-                        rb = root(static_cast<std::uint32_t>(b));
-    if (ra == rb) return;
-    parent_[std::max(ra, rb)] = std::min(ra, rb);
-    --count_;
-  }
-  std::size_t count() const { return count_; }
-
- private:
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::size_t count_;
-};
-
 /// All runs of foreground, or of background in a box with one more voxel on every side.
 class Runs {
  public:
@@ -65,7 +39,7 @@ class Runs {
   /// Runs that touch each other, directly or over others; with `corners` over edges and corners of
   /// voxels too.
   std::size_t parts(bool corners) const {
-    Sets sets(runs_.size());
+    DisjointSets sets(runs_.size());
     for (int z = 0; z < nz_; ++z)
       for (int y = 0; y < ny_; ++y) {
         join(sets, y, z, y - 1, z, corners);
@@ -105,14 +79,14 @@ class Runs {
     if (first >= 0) visit(first, static_cast<int>(row.size() * 64) - 1);
   }
 
-  void join(Sets& sets, int y, int z, int other_y, int other_z, bool corners) const {
+  void join(DisjointSets& sets, int y, int z, int other_y, int other_z, bool corners) const {
     if (other_y < 0 || other_y >= ny_ || other_z < 0) return;
     const int reach = corners ? 1 : 0;
     const std::size_t row = index(y, z), other = index(other_y, other_z);
     std::size_t a = start_[row], b = start_[other];
     while (a < start_[row + 1] && b < start_[other + 1]) {
       if (runs_[a].first <= runs_[b].last + reach && runs_[b].first <= runs_[a].last + reach)
-        sets.join(a, b);
+        sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
       ++(runs_[a].last < runs_[b].last ? a : b);
     }
   }

@@ -1,6 +1,7 @@
+#include <marrow/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <queue>
 
 #include "branch_graph_detail.hpp"
@@ -35,20 +36,11 @@ BranchGraph::BranchGraph(const VoteGraph& graph) {
 int BranchGraph::cycle_count() const {
   // Every vertex that is left lies in the part of a root; each link beyond a spanning forest closes
   // one.
-  std::vector<int> parent(vertices_.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    for (auto i = static_cast<std::size_t>(v); parent[i] != v; i = static_cast<std::size_t>(v))
-      v = parent[i] = parent[static_cast<std::size_t>(parent[i])];
-    return v;
-  };
+  DisjointSets parts(vertices_.size());
   int cycles = 0;
-  for (const auto& l : links_) {
-    if (!l.alive) continue;
-    const int a = root(l.a), b = root(l.b);
-    if (a == b) ++cycles;
-    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
+  for (const auto& l : links_)
+    if (l.alive && !parts.join(static_cast<std::uint32_t>(l.a), static_cast<std::uint32_t>(l.b)))
+      ++cycles;
   return cycles;
 }
 

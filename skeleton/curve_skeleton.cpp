@@ -1,4 +1,5 @@
 #include <marrow/curve_skeleton.hpp>
+#include <marrow/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -34,18 +35,9 @@ std::vector<int> degrees(const CurveSkeleton& skeleton) {
 }
 
 int component_count(const CurveSkeleton& skeleton) {
-  std::vector<NodeId> parent(skeleton.nodes.size());
-  std::iota(parent.begin(), parent.end(), NodeId{0});
-  const auto root = [&](NodeId n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
-  auto count = static_cast<int>(skeleton.nodes.size());
-  for (const auto& e : skeleton.edges) {
-    const NodeId a = root(e[0]), b = root(e[1]);
-    if (a != b) parent[std::max(a, b)] = std::min(a, b), --count;
-  }
-  return count;
+  DisjointSets parts(skeleton.nodes.size());
+  for (const auto& e : skeleton.edges) parts.join(e[0], e[1]);
+  return static_cast<int>(parts.count());
 }
 
 int cycle_count(const CurveSkeleton& skeleton) {

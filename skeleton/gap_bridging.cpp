@@ -1,8 +1,8 @@
+#include <marrow/disjoint_sets.hpp>
 #include <marrow/gap_bridging.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -16,29 +16,17 @@ namespace {
 constexpr double kStraight = 0.5;  // cosine between the end of a branch and its bridge
 constexpr std::uint32_t kNone = ~0U;
 
-/// Which part of a set every voxel belongs to, and which parts are joined.
-class Parts {
- public:
-  Parts(const VoxelGrid& grid, const VoxelSet& set) : part_(grid.count(), kNone) {
-    for (const auto& part : voxel_parts(grid, set)) {
-      for (const auto v : part) part_[v] = static_cast<std::uint32_t>(joined_.size());
-      joined_.push_back(static_cast<std::uint32_t>(joined_.size()));
-    }
-  }
+/// Which part of a set every voxel belongs to; kNone for those of none.
+struct VoxelLabels {
+  std::vector<std::uint32_t> part;
+  std::size_t count = 0;
 
-  std::size_t count() const { return joined_.size(); }
-  std::uint32_t at(std::uint32_t voxel) const { return part_[voxel]; }
-  std::uint32_t root(std::uint32_t part) const {
-    while (joined_[part] != part) part = joined_[part];
-    return part;
+  VoxelLabels(const VoxelGrid& grid, const VoxelSet& set) : part(grid.count(), kNone) {
+    const auto parts = voxel_parts(grid, set);
+    count = parts.size();
+    for (std::uint32_t i = 0; i < count; ++i)
+      for (const auto v : parts[i]) part[v] = i;
   }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    joined_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> part_, joined_;
 };
 
 struct Bridge {
@@ -61,12 +49,12 @@ std::optional<Vec3> direction_of(const LiveGraph& core, NodeId leaf) {
 }
 
 /// The nearest voxel of another part ahead of a leaf, no farther from its ball than `reach`.
-std::optional<Bridge> bridge_from(const VoxelGrid& grid, const Parts& parts, const LiveGraph& core,
-                                  NodeId leaf, double reach) {
+std::optional<Bridge> bridge_from(const VoxelGrid& grid, const VoxelLabels& labels,
+                                  const LiveGraph& core, NodeId leaf, double reach) {
   const auto direction = direction_of(core, leaf);
   if (!direction) return {};
   const VoteGraph::Node& node = core.node(leaf);
-  const std::uint32_t own = parts.at(node.voxel);
+  const std::uint32_t own = labels.part[node.voxel];
   const double farthest = node.radius + reach;
   const int r = static_cast<int>(farthest / grid.size) + 1;
   const int x = grid.x_of(node.voxel), y = grid.y_of(node.voxel), z = grid.z_of(node.voxel);
@@ -76,7 +64,7 @@ std::optional<Bridge> bridge_from(const VoxelGrid& grid, const Parts& parts, con
       for (int dx = -r; dx <= r; ++dx) {
         if (!grid.contains(x + dx, y + dy, z + dz)) continue;
         const std::uint32_t v = grid.index(x + dx, y + dy, z + dz);
-        if (parts.at(v) == kNone || parts.at(v) == own) continue;
+        if (labels.part[v] == kNone || labels.part[v] == own) continue;
         const Vec3 way = grid.center(v) - node.position;
         const Bridge bridge{length(way), node.voxel, v};
         if (bridge.length > farthest || dot(way, *direction) < kStraight * bridge.length) continue;
@@ -100,21 +88,19 @@ void draw_line(VoxelSet& set, const VoxelGrid& grid, const Bridge& bridge) {
 VoxelSet bridge_gaps(const VoxelGrid& grid, VoxelSet hull, const VoteGraph& core, double reach) {
   VoxelSet whole = hull;
   for (const auto& node : core.nodes) whole.insert(node.voxel);
-  Parts parts(grid, whole);
-  if (parts.count() < 2) return hull;
+  const VoxelLabels labels(grid, whole);
+  if (labels.count < 2) return hull;
   const LiveGraph live(core);
   std::vector<Bridge> bridges;
   for (NodeId n = 0; n < live.size(); ++n)
     if (live.degree(n) == 1)
-      if (const auto bridge = bridge_from(grid, parts, live, n, reach)) bridges.push_back(*bridge);
+      if (const auto bridge = bridge_from(grid, labels, live, n, reach)) bridges.push_back(*bridge);
   std::sort(bridges.begin(), bridges.end(),
             [](const Bridge& a, const Bridge& b) { return a.key() < b.key(); });
-  for (const Bridge& bridge : bridges) {
-    const std::uint32_t a = parts.at(bridge.from), b = parts.at(bridge.to);
-    if (parts.root(a) == parts.root(b)) continue;
-    parts.join(a, b);
-    draw_line(hull, grid, bridge);
-  }
+  DisjointSets joined(labels.count);
+  for (const Bridge& bridge : bridges)
+    if (joined.join(labels.part[bridge.from], labels.part[bridge.to]))
+      draw_line(hull, grid, bridge);
   return hull;
 }
 

@@ -1,8 +1,8 @@
+#include <marrow/disjoint_sets.hpp>
 #include <marrow/parts.hpp>
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace marrow {
 
@@ -10,20 +10,13 @@ namespace {
 
 /// The part that each node belongs to, counted in the order of their first nodes.
 std::vector<std::size_t> part_of_nodes(const CurveSkeleton& skeleton) {
-  std::vector<NodeId> parent(skeleton.nodes.size());
-  std::iota(parent.begin(), parent.end(), NodeId{0});
-  const auto root = [&](NodeId n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
-  for (const auto& [a, b] : skeleton.edges) {
-    const NodeId i = root(a), j = root(b);
-    parent[std::max(i, j)] = std::min(i, j);
-  }
-  std::vector<std::size_t> part(parent.size());
+  DisjointSets parts(skeleton.nodes.size());
+  for (const auto& [a, b] : skeleton.edges) parts.join(a, b);
+  std::vector<std::size_t> part(parts.size());
   std::size_t count = 0;
   // The root is the first node of its part.
-  for (NodeId n = 0; n < parent.size(); ++n) part[n] = root(n) == n ? count++ : part[root(n)];
+  for (NodeId n = 0; n < part.size(); ++n)
+    part[n] = parts.root(n) == n ? count++ : part[parts.root(n)];
   return part;
 }
 

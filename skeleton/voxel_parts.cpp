@@ -1,3 +1,5 @@
+#include <marrow/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -9,27 +11,9 @@ namespace marrow {
 
 namespace {
 
-/// Disjoint sets of runs; the root of a set is its lowest member.
-class RunSets {
- public:
-  explicit RunSets(std::size_t n) : up_(n) { std::iota(up_.begin(), up_.end(), 0u); }
-
-  std::uint32_t root(std::uint32_t i) {
-    while (up_[i] != i) i = up_[i] = up_[up_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = root(i), j = root(j);
-    up_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> up_;
-};
-
 /// Joins the runs of row r with those of row s that they touch; `start` says where rows begin.
 void join_rows(const std::vector<VoxelRun>& runs, const std::vector<std::uint32_t>& start,
-               std::size_t r, std::size_t s, RunSets& sets) {
+               std::size_t r, std::size_t s, DisjointSets& sets) {
   std::uint32_t i = start[r], j = start[s];
   while (i < start[r + 1] && j < start[s + 1]) {
     if (runs[i].first <= runs[j].end && runs[j].first <= runs[i].end) sets.join(i, j);
@@ -44,7 +28,7 @@ RunParts run_parts(const VoxelSet& set) {
   std::vector<std::uint32_t> start(set.rows() + 1, 0);
   for (const VoxelRun& run : parts.runs) ++start[run.row + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  RunSets sets(parts.runs.size());
+  DisjointSets sets(parts.runs.size());
   const std::size_t layer = set.rows_per_layer();
   for (std::size_t r = 0; r < set.rows(); ++r) {
     if (start[r] == start[r + 1]) continue;

@@ -115,7 +115,7 @@ Framed in_own_frame(const Volume& volume, const ExtractOptions&) {
   return {frame, apply(frame, boundary_surface(volume))};
 }
 
-/// 21 stereo pairs, each one task; by rays where there is a scene.
+/// The 21 stereo pairs, by rays where there is a scene. Each view is one task.
 std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
                                      int resolution, int threads) {
   const auto directions = hemisphere_directions();
@@ -124,6 +124,14 @@ std::vector<StereoImages> draw_views(const NormalizedShape& shape, const Surface
     views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution, scene);
   });
   return views;
+}
+
+/// The same pairs in other images.
+void draw_again(std::vector<StereoImages>& views, const NormalizedShape& shape,
+                const SurfaceScene* scene, int resolution, int threads) {
+  for_each_view(views.size(), threads, [&](std::size_t i) {
+    views[i] = draw_stereo_images(shape, views[i].pair, resolution, scene);
+  });
 }
 
 struct DrawnViews {
@@ -139,7 +147,7 @@ DrawnViews draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
   auto views = draw_views(shape, scene, first.image, options.max_threads);
   const Resolution finer =
       resolution_for(shape.low, shape.high, views, first, fixed ? 0 : kFinestImage);
-  if (finer.image > first.image) views = draw_views(shape, scene, finer.image, options.max_threads);
+  if (finer.image > first.image) draw_again(views, shape, scene, finer.image, options.max_threads);
   return {finer, std::move(views)};
 }
 

@@ -2,12 +2,11 @@
 #include <marrow/point_spacing.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <limits>
 
 #include "neighbour_distance_detail.hpp"
-#include "position_hash_detail.hpp"
+#include "place_table_detail.hpp"
 #include "prescale_detail.hpp"
 #include "shape_check_detail.hpp"
 
@@ -21,15 +20,10 @@ constexpr float kLeastSpacing = 0x1p-40F;  // of the longest side; 0 is for poin
 /// The first of the points at every place, in their order.
 std::vector<std::uint32_t> distinct_points(const std::vector<Vec3>& points) {
   std::vector<std::uint32_t> distinct;
-  const std::size_t size = std::bit_ceil(2 * points.size() + 1);
-  std::vector<std::uint32_t> table(size, 0);  // index + 1
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    std::size_t at = position_hash(points[i]) & (size - 1);
-    while (table[at] != 0 && points[table[at] - 1] != points[i]) at = (at + 1) & (size - 1);
-    if (table[at] != 0) continue;
-    table[at] = i + 1;
-    distinct.push_back(i);
-  }
+  PlaceTable places(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if (places.number_at(points[i], i, [&](std::uint32_t k) { return points[k]; }) == i)
+      distinct.push_back(i);
   return distinct;
 }
 

@@ -138,6 +138,16 @@ BitImage complement(const BitImage& image) {
   return result;
 }
 
+BitImage united(BitImage a, const BitImage& b) {
+  for (std::size_t i = 0; i < a.words().size(); ++i) a.words()[i] |= b.words()[i];
+  return a;
+}
+
+BitImage without(BitImage a, const BitImage& b) {
+  for (std::size_t i = 0; i < a.words().size(); ++i) a.words()[i] &= ~b.words()[i];
+  return a;
+}
+
 BitImage dilate(const BitImage& image, double radius) {
   BitImage result(image.width(), image.height());
   const int words = image.words_per_row(), reach = static_cast<int>(radius);

@@ -40,6 +40,11 @@ inline std::array<LatticePoint, 3> corners_of(const PackedTriangles& triangles, 
   return {unpacked(triangles.a[i]), unpacked(triangles.b[i]), unpacked(triangles.c[i])};
 }
 
+inline std::array<LatticePoint, 3> corners_of(const SnappedPoints& points, const Triangle& t) {
+  const SnappedPoints::Packed* const packed = points.packed();
+  return {unpacked(packed[t[0]]), unpacked(packed[t[1]]), unpacked(packed[t[2]])};
+}
+
 /// Negative when they run clockwise.
 inline std::int64_t twice_area(const std::array<LatticePoint, 3>& p) {
   return std::int64_t{p[1].x - p[0].x} * (p[2].y - p[0].y) -

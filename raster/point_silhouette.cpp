@@ -1,9 +1,9 @@
 #include <marrow/point_silhouette.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "lattice_triangle_detail.hpp"
 #include "mask_detail.hpp"
 
 namespace marrow {
@@ -15,6 +15,7 @@ using Quarters = std::uint16_t;  // of a pixel
 constexpr int kQuarters = 4;
 constexpr int kMostQuarters = 1 << 14;
 constexpr Quarters kNobody = 0;
+constexpr double kBeside = 1;  // pixels: the four neighbours
 
 /// Whether pixels at the very radius belong to a disc.
 enum class Rim { In, Out };
@@ -55,13 +56,12 @@ void for_rows(const std::vector<int>& rows, int x, int y, int side, Visit visit)
 /// At every pixel the radius of the greatest disc about a point in it.
 Image<Quarters> greatest_discs(const NormalizedShape& cloud, const SnappedPoints& points,
                                int resolution) {
-  const int shift = std::countr_zero(static_cast<unsigned>(subpixels_of(resolution)));
-  const int half = (1 << shift) / 2;
+  const int shift = lattice_shift(resolution);
   const auto scale = static_cast<float>(kQuarters / PixelGrid{resolution}.pixel());
   Image<Quarters> radii(resolution, resolution, kNobody);
   for (std::size_t i = 0; i < cloud.spacing.size(); ++i) {
     const int radius = static_cast<int>(cloud.spacing[i] * scale + 0.5F);
-    Quarters& at = radii((points.x(i) + half) >> shift, (points.y(i) + half) >> shift);
+    Quarters& at = radii(nearest_pixel(points.x(i), shift), nearest_pixel(points.y(i), shift));
     at = std::max(at, static_cast<Quarters>(std::clamp(radius, kQuarters, kMostQuarters)));
   }
   return radii;
@@ -89,29 +89,12 @@ Cover cover(const Image<Quarters>& radii) {
   return c;
 }
 
-/// The pixels outside a mask that have one of the four neighbours in it.
-BitImage outer_border(const BitImage& mask) {
-  const int words = mask.words_per_row();
-  BitImage border = complement(mask);
-  for (int y = 0; y < mask.height(); ++y)
-    for (int i = 0; i < words; ++i) {
-      const BitImage::Word* const row = mask.row(y);
-      BitImage::Word beside = row[i] << 1 | row[i] >> 1;
-      if (i > 0) beside |= row[i - 1] >> 63;
-      if (i + 1 < words) beside |= row[i + 1] << 63;
-      if (y > 0) beside |= mask.row(y - 1)[i];
-      if (y + 1 < mask.height()) beside |= mask.row(y + 1)[i];
-      border.row(y)[i] &= beside;
-    }
-  return border;
-}
-
 /// Takes the discs away again from the outside of the mask, but for a pixel: between its samples a
 /// surface bulges.
 BitImage eroded(const Cover& c) {
   const int side = c.mask.width();
   BitImage mask = c.mask;
-  const BitImage border = outer_border(mask);
+  const BitImage border = without(dilate(mask, kBeside), mask);
   Discs discs(Rim::Out);
   const auto owner_at = [&](int x, int y) {
     return mask.contains(x, y) && c.mask(x, y) ? c.owner(x, y) : kNobody;
@@ -129,14 +112,13 @@ BitImage eroded(const Cover& c) {
   return mask;
 }
 
-/// Every point keeps its pixel and those beside it.
-void keep_points(BitImage& mask, const Image<Quarters>& radii) {
+/// The pixels that points fall in.
+BitImage pixels_of_points(const Image<Quarters>& radii) {
+  BitImage pixels(radii.width(), radii.height());
   for (int y = 0; y < radii.height(); ++y)
-    for (int x = 0; x < radii.width(); ++x) {
-      if (radii(x, y) == kNobody) continue;
-      for_rows({1, 0}, x, y, radii.width(),
-               [&](int row, int left, int right) { set_span(mask.row(row), left, right); });
-    }
+    for (int x = 0; x < radii.width(); ++x)
+      if (radii(x, y) != kNobody) pixels.set(x, y);
+  return pixels;
 }
 
 }  // namespace
@@ -144,8 +126,8 @@ void keep_points(BitImage& mask, const Image<Quarters>& radii) {
 BitImage draw_point_silhouette(const NormalizedShape& cloud, const ViewPlane& plane,
                                int resolution) {
   const Image<Quarters> radii = greatest_discs(cloud, snap(cloud, plane, resolution), resolution);
-  BitImage mask = eroded(cover(radii));
-  keep_points(mask, radii);
+  // Every point keeps its pixel and those beside it.
+  BitImage mask = united(eroded(cover(radii)), dilate(pixels_of_points(radii), kBeside));
   fill_small_holes(mask, kSmallHole * resolution);
   return mask;
 }

@@ -1,6 +1,7 @@
 #include <bit>
 
 #include "fill_detail.hpp"
+#include "mask_detail.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "row_fill.cpp"
@@ -45,19 +46,6 @@ class RowEnds {
   bool is_left_;
   F64 reciprocal_, value_, step_;
 };
-
-HWY_INLINE void set_span(BitImage::Word* row, int left, int right) {
-  const int first = left >> 6, last = right >> 6;
-  const BitImage::Word from = ~BitImage::Word{0} << (left & 63);
-  const BitImage::Word to = ~BitImage::Word{0} >> (63 - (right & 63));
-  if (first == last) {
-    row[first] |= from & to;
-    return;
-  }
-  row[first] |= from;
-  for (int i = first + 1; i < last; ++i) row[i] = ~BitImage::Word{0};
-  row[last] |= to;
-}
 
 void fill_triangle(BitImage& mask, const LatticeTriangle& t, int shift) {
   const D d;

@@ -78,11 +78,8 @@ BitImage reached_from_edge(const BitImage& open) {
 
 /// The background of `mask` that does not reach the edge of the image.
 BitImage enclosed_by(const BitImage& mask) {
-  BitImage enclosed = complement(mask);
-  const BitImage outside = reached_from_edge(enclosed);
-  for (int y = 0; y < mask.height(); ++y)
-    for (int i = 0; i < mask.words_per_row(); ++i) enclosed.row(y)[i] &= ~outside.row(y)[i];
-  return enclosed;
+  const BitImage background = complement(mask);
+  return without(background, reached_from_edge(background));
 }
 
 using Pixels = std::vector<std::pair<int, int>>;

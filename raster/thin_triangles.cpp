@@ -1,4 +1,3 @@
-#include <numeric>
 #include <utility>
 
 #include "thin_triangles_detail.hpp"
@@ -204,19 +203,15 @@ void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Tri
   const PackedTriangles rest = not_within(squares.of_8, 8, large, shift);
   trace(not_within(squares.of_4, 4, rest, shift));
   trace(uncovered(points, triangles, near_mask, shift));
-  for (int y = 0; y < resolution; ++y)
-    for (int i = 0; i < mask.words_per_row(); ++i) mask.row(y)[i] |= edges.trace.row(y)[i];
+  mask = united(std::move(mask), edges.trace);
 }
 
 void trace_thin_triangles(BitImage& mask, const SnappedPoints& points,
                           std::span<const Triangle> triangles, int resolution) {
   const int shift = lattice_shift(resolution);
   PackedTriangles large;
-  for (const Triangle& t : triangles) {
-    PackedTriangles one;
-    one.push_back(points, t);
-    if (LatticeTriangle(corners_of(one, 0), shift).is_large()) large.push_back(points, t);
-  }
+  for (const Triangle& t : triangles)
+    if (LatticeTriangle(corners_of(points, t), shift).is_large()) large.push_back(points, t);
   trace_thin(mask, points, triangles, large, resolution);
 }
 

@@ -64,6 +64,7 @@ class BitImage {
   const Word* row(int y) const {
     return bits_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(words_);
   }
+  std::span<Word> words() { return bits_; }
   std::span<const Word> words() const { return bits_; }
 
   friend bool operator==(const BitImage&, const BitImage&) = default;
@@ -88,6 +89,12 @@ std::size_t count(const BitImage& image);
 
 /// The pixels that are not set.
 BitImage complement(const BitImage& image);
+
+/// The pixels of either image; both have one size.
+BitImage united(BitImage a, const BitImage& b);
+
+/// The pixels of `a` that are not in `b`; both have one size.
+BitImage without(BitImage a, const BitImage& b);
 
 /// Every pixel within `radius` pixels (Euclidean, centre to centre) of a set pixel. `radius` >= 0.
 BitImage dilate(const BitImage& image, double radius);

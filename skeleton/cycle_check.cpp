@@ -212,7 +212,7 @@ VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape,
 }
 
 VoteGraph cut_welds(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
-  if (BranchGraph(graph).cycle_count() == 0) return graph;
+  if (shape.is_point_cloud() || BranchGraph(graph).cycle_count() == 0) return graph;
   return CycleCheck(graph, shape, voxel).cut_welds().value_or(graph);
 }
 

@@ -12,6 +12,7 @@ namespace {
 constexpr double kMaskTolerance = 1;     // pixels
 constexpr double kAxisTolerance = 0.9;   // voxels
 constexpr double kBroadTolerance = 0.2;  // of the radius: medial axes of thick parts differ more
+
 /// The greatest distance in thirds of a pixel that is within `tolerance` pixels.
 int thirds_within(double tolerance) {
   int thirds = static_cast<int>(3 * tolerance) + 1;

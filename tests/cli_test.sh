@@ -2,67 +2,12 @@
 # Runs the program as a shell does: exit statuses, what is said where, what is left behind.
 #
 #   tests/cli_test.sh MARROW
-set -uo pipefail
-
-marrow=$(realpath "$1")
-[ -x "$marrow" ] || exit 1
-work=$(mktemp -d "${TMPDIR:-/tmp}/marrow-cli.XXXXXX")
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-
-failures=0
-fail() {
-  printf 'FAIL line %s: %s\n' "${BASH_LINENO[-2]}" "$*"
-  failures=$((failures + 1))
-}
-
-# run ARGUMENT...: keeps exit status, standard output and standard error.
-run() {
-  "$marrow" "$@" >stdout 2>stderr </dev/null
-  status=$?
-}
-
-# good ARGUMENT...: must succeed.
-good() {
-  run "$@"
-  [ "$status" -eq 0 ] || fail "marrow $*: exit status $status: $(cat stderr)"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/cli_lib.sh"
 
 # silent ARGUMENT...: must succeed without a word on either stream.
 silent() {
   good "$@"
   if [ -s stdout ] || [ -s stderr ]; then fail "marrow $*: says something"; fi
-}
-
-# bad STATUS WORDS ARGUMENT...: must fail with this status, in one line with these words on standard
-# error, and leave no file called out.* and no temporary.
-bad() {
-  local expected=$1 words=$2
-  shift 2
-  run "$@"
-  [ "$status" -eq "$expected" ] || fail "marrow $*: exit status $status instead of $expected"
-  [ "$(wc -l <stderr)" -eq 1 ] || fail "marrow $*: not one line: $(cat stderr)"
-  grep -q '^marrow: ' stderr || fail "marrow $*: not in the name of marrow: $(cat stderr)"
-  grep -qF -- "$words" stderr || fail "marrow $*: no word about '$words': $(cat stderr)"
-  [ ! -s stdout ] || fail "marrow $*: data on standard output"
-  left_behind "marrow $*"
-}
-
-left_behind() {
-  local files
-  files=$(find . -name 'out*' -o -name '*.tmp' -o -name '.marrow-*')
-  [ -n "$files" ] || return 0
-  fail "$1: left behind: $files"
-  xargs rm -rf <<<"$files"
-}
-
-# says WORDS: the last run's standard output has a line with these words.
-says() {
-  grep -qE -- "$1" stdout || fail "nothing says '$1': $(cat stdout)"
-}
-
-same() {
-  cmp -s "$1" "$2" || fail "$1 and $2 differ"
 }
 
 quick=(--image 96 --grid 32 --quiet)
@@ -323,5 +268,4 @@ interrupted INT 130
 interrupted TERM 143
 interrupted HUP 129
 
-[ "$failures" -eq 0 ] || exit 1
-echo "the program does what it says"
+finish "the program does what it says"

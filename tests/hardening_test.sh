@@ -2,39 +2,10 @@
 # What the program does at limits, on full disks and when it is killed: never half an output.
 #
 #   tests/hardening_test.sh MARROW
-set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/cli_lib.sh"
 
-marrow=$(realpath "$1")
-[ -x "$marrow" ] || exit 1
-work=$(mktemp -d "${TMPDIR:-/tmp}/marrow-hard.XXXXXX")
 small=$work/small   # a disk that is soon full
 trap 'mountpoint -q "$small" && umount "$small"; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-
-failures=0
-fail() {
-  printf 'FAIL line %s: %s\n' "${BASH_LINENO[-2]}" "$*"
-  failures=$((failures + 1))
-}
-
-# judge STATUS WORDS: the last run ended with this status and one line with these words.
-judge() {
-  [ "$status" -eq "$1" ] || fail "exit status $status instead of $1: $(cat stderr)"
-  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line: $(cat stderr)"
-  grep -q '^marrow: ' stderr || fail "not in the name of marrow: $(cat stderr)"
-  grep -qF -- "$2" stderr || fail "no word about '$2': $(cat stderr)"
-  [ -z "$(find . -name 'out*' -o -name '.marrow-*')" ] || fail "left behind: $(ls -A)"
-}
-
-# bad STATUS WORDS ARGUMENT...: must fail like this.
-bad() {
-  local expected=$1 words=$2
-  shift 2
-  "$marrow" "$@" >stdout 2>stderr </dev/null
-  status=$?
-  [ ! -s stdout ] || fail "marrow $*: data on standard output"
-  judge "$expected" "$words"
-}
 
 quick=(--image 96 --grid 32 --quiet)
 "$marrow" make torus -o torus.obj --resolution 0.5 || exit 1
@@ -57,7 +28,7 @@ bad 7 'raise --max-faces' render torus.obj skeleton.obj -o out.png --max-faces 1
 "$marrow" info torus.obj --max-file 1G >stdout || fail "no G"
 "$marrow" extract - --from obj -o out.obj --max-file 1000 <torus.obj 2>stderr
 status=$?
-judge 7 'standard input: is larger than the limit of 1000 bytes'
+refused 7 'standard input: is larger than the limit of 1000 bytes' 'extract -'
 for wrong in -1 many 1X '' 99999999999G; do
   bad 2 '--max-file' info torus.obj --max-file "$wrong"
 done
@@ -80,7 +51,7 @@ bad 7 'raise --timeout' info pipe.obj --timeout 1
 bad 7 'raise --timeout' render pipe.obj skeleton.obj -o out.png --timeout 1
 "$marrow" info - --from obj --timeout 1 <&3 >stdout 2>stderr
 status=$?
-judge 7 'standard input: took longer'
+refused 7 'standard input: took longer' 'info -'
 exec 3>&-
 rm pipe.obj
 "$marrow" info torus.obj --timeout 0 >stdout || fail "no time at all"
@@ -161,7 +132,6 @@ full_disk
 # The same by a limit on the size of files, which needs no mount.
 (ulimit -f 4 && "$marrow" make torus -o out.obj 2>stderr)
 status=$?
-judge 8 'out.obj: cannot be written: File too large'
+refused 8 'out.obj: cannot be written: File too large' 'make torus'
 
-[ "$failures" -eq 0 ] || exit 1
-echo "nothing is ever half written"
+finish "nothing is ever half written"

@@ -2,38 +2,14 @@
 # Meshes of other ecosystems: what marrow-import reads, and what its death looks like.
 #
 #   tests/import_test.sh MARROW
-set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/cli_lib.sh"
 
-marrow=$(realpath "$1")
 importer=$(dirname "$marrow")/marrow-import
-[ -x "$marrow" ] || exit 1
-work=$(mktemp -d "${TMPDIR:-/tmp}/marrow-import.XXXXXX")
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
 
-failures=0
-fail() {
-  printf 'FAIL line %s: %s\n' "${BASH_LINENO[-2]}" "$*"
-  failures=$((failures + 1))
-}
-
-# bad STATUS WORDS ARGUMENT...: must fail with this status, in one line with these words.
-bad() {
-  local expected=$1 words=$2
-  shift 2
-  "$marrow" "$@" >stdout 2>stderr </dev/null
-  status=$?
-  [ "$status" -eq "$expected" ] || fail "$*: exit status $status instead of $expected: $(cat stderr)"
-  [ "$(wc -l <stderr)" -eq 1 ] || fail "$*: not one line: $(cat stderr)"
-  grep -q '^marrow: ' stderr || fail "$*: not in the name of marrow: $(cat stderr)"
-  grep -qF -- "$words" stderr || fail "$*: no word about '$words': $(cat stderr)"
-  if [ -s stdout ] || [ -n "$(find . -name 'out*')" ]; then fail "$*: data"; fi
-}
-
-# says FILE WORDS: marrow info has a line with these words.
-says() {
-  "$marrow" info "$1" >stdout 2>stderr || fail "$1: $(cat stderr)"
-  grep -qE -- "$2" stdout || fail "$1: nothing says '$2': $(cat stdout)"
+# info_says FILE WORDS: marrow info has a line with these words.
+info_says() {
+  good info "$1"
+  says "$2"
 }
 
 # --- a box of 1 by 1 by 1: eight points in floats, twelve triangles in 16 bits -----------------------
@@ -133,10 +109,10 @@ fi
 
 # --- what is read -----------------------------------------------------------------------------------
 for file in box.gltf box.glb; do
-  says "$file" '^triangles +24$'
-  says "$file" '^components +2$'
-  says "$file" '^closed +yes$'
-  says "$file" '^bounds +10 0 0 to 14 1 6$'
+  info_says "$file" '^triangles +24$'
+  info_says "$file" '^components +2$'
+  info_says "$file" '^closed +yes$'
+  info_says "$file" '^bounds +10 0 0 to 14 1 6$'
 done
 "$marrow" info - --from glb <box.bytes >stdout || fail "standard input"
 for format in gltf glb; do
@@ -161,5 +137,4 @@ for file in none.gltf garbage.*; do
   [ "$(wc -l <stderr)" -eq 1 ] || fail "$file: not one line: $(cat stderr)"
 done
 
-[ "$failures" -eq 0 ] || exit 1
-echo "what the importer reads is a shape, and what kills it is one line"
+finish "what the importer reads is a shape, and what kills it is one line"

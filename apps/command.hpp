@@ -26,8 +26,9 @@ std::string program_version();
 CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::string& format,
                                const std::string& words, const std::vector<std::string>& formats);
 
-/// The formats of shapes that are read, by their extensions.
-std::vector<std::string> shape_formats();
+/// The names that --from takes for a shape, a cloud or a volume, and with skeletons too.
+std::vector<std::string> input_formats();
+std::vector<std::string> input_and_skeleton_formats();
 
 /// A file as it was read, before anything is known about its words.
 struct InputFile {

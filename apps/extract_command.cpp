@@ -193,8 +193,7 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
       ->required()
       ->type_name("OUT");
   add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "gltf", "glb", "fbx", "dae", "3ds",
-                     "x3d", "3mf", "nrrd", "nii", "binvox", "raw"});
+                    input_formats());
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
   add_volume_options(verb, request.volume);

@@ -26,6 +26,11 @@ std::string format_of(const std::string& path) {
   return inner.empty() ? extension : inner;
 }
 
+/// What parse_shape() reads.
+std::vector<std::string> shape_formats() {
+  return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
+}
+
 /// A name that the format functions of the library understand.
 std::string as_path(const std::string& format) { return "x." + format; }
 
@@ -76,8 +81,18 @@ CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::str
       ->type_name(choice);
 }
 
-std::vector<std::string> shape_formats() {
-  return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
+std::vector<std::string> input_formats() {
+  std::vector<std::string> formats{"obj", "ply", "stl", "off", "xyz", "pcd"};
+  const auto& imported = imported_formats();
+  formats.insert(formats.end(), imported.begin(), imported.end());
+  formats.insert(formats.end(), {"nrrd", "nii", "binvox", "raw"});
+  return formats;
+}
+
+std::vector<std::string> input_and_skeleton_formats() {
+  std::vector<std::string> formats = input_formats();
+  formats.insert(formats.end(), {"skel", "json"});
+  return formats;
 }
 
 InputFile read_input(const std::string& path, const std::string& from, const ReadOptions& limits) {

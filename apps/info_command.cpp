@@ -47,8 +47,7 @@ void add_info_command(CLI::App& program) {
       ->required()
       ->type_name("");
   add_format_option(*verb, "--from", request->from, "Format of FILE, whatever its extension",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "gltf", "glb", "fbx", "dae", "3ds",
-                     "x3d", "3mf", "nrrd", "nii", "binvox", "raw", "skel", "json"});
+                    input_and_skeleton_formats());
   add_volume_options(*verb, request->volume);
   verb->add_flag("--json", request->json, "JSON instead of a table");
   add_limit_options(*verb, request->limits);

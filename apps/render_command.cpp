@@ -77,8 +77,7 @@ void add_render_command(CLI::App& program) {
       ->required()
       ->type_name("FILE");
   add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
-                    {"obj", "ply", "stl", "off", "xyz", "pcd", "gltf", "glb", "fbx", "dae", "3ds",
-                     "x3d", "3mf", "nrrd", "nii", "binvox", "raw", "skel", "json"});
+                    input_and_skeleton_formats());
   add_volume_options(*verb, request->volume);
   verb->add_option("--size", request->size, "In pixels, 64 to 16384 each")
       ->type_name("WIDTHxHEIGHT")

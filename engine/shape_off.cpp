@@ -35,15 +35,7 @@ class OffReader {
     text_detail::fail(ErrorKind::Malformed, name_, std::to_string(lines_.number()), what);
   }
 
-  /// To the next line that is not empty; comments do not count.
-  bool next_line() {
-    while (lines_.next()) {
-      line_ = text_detail::without_comment(lines_.line());
-      text_detail::skip_blanks(line_);
-      if (!line_.empty()) return true;
-    }
-    return false;
-  }
+  bool next_line() { return text_detail::next_filled(lines_, line_); }
 
   void expect_line(const char* what) {
     if (!next_line()) fail(std::string("the file ends before ") + what + "; it was cut short");

@@ -68,9 +68,9 @@ class XyzReader {
 
   /// To the next line that is not empty; comments do not count.
   bool next_line() {
-    while (lines_.next()) {
-      line_ = trimmed(text_detail::without_comment(lines_.line()));
-      if (!line_.empty() && !line_.starts_with("//")) return true;
+    while (text_detail::next_filled(lines_, line_)) {
+      line_ = trimmed(line_);
+      if (!line_.starts_with("//")) return true;
     }
     return false;
   }

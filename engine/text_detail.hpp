@@ -69,6 +69,17 @@ inline void skip_blanks(std::string_view& text) {
   text.remove_prefix(i);
 }
 
+/// To the next of `lines` that is not empty without its comment and leading blanks: that is `line`.
+/// False at the end.
+inline bool next_filled(Lines& lines, std::string_view& line) {
+  while (lines.next()) {
+    line = without_comment(lines.line());
+    skip_blanks(line);
+    if (!line.empty()) return true;
+  }
+  return false;
+}
+
 /// Takes the first word off `text`; empty if there is none.
 inline std::string_view take_word(std::string_view& text) {
   skip_blanks(text);

@@ -26,13 +26,6 @@ const std::set<std::string> kWithoutCentreLine{"plate", "mug", "gingerbread-man"
 /// The bones of the hand run side by side through its palm, the skeleton through the palm's middle.
 double slack(const std::string& name) { return name == "hand" ? 1.5 : 1; }
 
-ExtractOptions defaults_or_small() {
-  ExtractOptions options;
-  options.image_resolution = scaled(0, 128);
-  options.grid_resolution = scaled(128, 64);
-  return options;
-}
-
 /// The names of the sanitized build are few: each costs it many seconds.
 std::vector<std::string> names() {
 #ifdef MARROW_SANITIZE
@@ -67,7 +60,7 @@ double mean_radius_error(const CurveSkeleton& s, const CurveSkeleton& truth) {
 TEST_CASE("skeletons of analytic shapes are what the shapes were made from", "[extract][truth]") {
   for (const auto& name : names()) {
     const AnalyticShape made = make_analytic_shape(name);
-    const CurveSkeleton s = extract(made.shape, defaults_or_small());
+    const CurveSkeleton s = extract(made.shape, defaults_or_small(128, 64));
     INFO(name << ": " << component_count(s) << " parts, " << cycle_count(s) << " cycles, "
               << leaf_count(s) << " leaves");
     const bool is_right = has_stated_topology(made, s);

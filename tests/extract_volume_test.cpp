@@ -18,13 +18,6 @@ using namespace marrow::test;
 
 namespace {
 
-ExtractOptions defaults_or_small() {
-  ExtractOptions options;
-  options.image_resolution = scaled(0, 96);
-  options.grid_resolution = scaled(128, 48);
-  return options;
-}
-
 /// One of each kind; the sanitized build has few.
 std::vector<std::string> names() {
 #ifdef MARROW_SANITIZE
@@ -75,7 +68,7 @@ TEST_CASE("skeletons of volumes are those of the shapes they were made from",
     for (const int voxels : {128, 256}) {
       if (voxels > scaled(256, 128)) continue;
       const Volume volume = voxelise(made.shape, voxels);
-      const CurveSkeleton s = extract(volume, defaults_or_small());
+      const CurveSkeleton s = extract(volume, defaults_or_small(96, 48));
       INFO(name << " of " << voxels << ": " << component_count(s) << " parts, " << cycle_count(s)
                 << " cycles, " << leaf_count(s) << " leaves");
       CHECK(component_count(s) == made.components);
@@ -84,7 +77,8 @@ TEST_CASE("skeletons of volumes are those of the shapes they were made from",
       const double diagonal = diagonal_of(volume);
       CHECK(apart(s, made.truth, diagonal) < scaled(10, 20) * 0.1);
       if (voxels == 128)
-        CHECK(apart(s, extract(made.shape, defaults_or_small()), diagonal) < scaled(10, 20) * 0.1);
+        CHECK(apart(s, extract(made.shape, defaults_or_small(96, 48)), diagonal) <
+              scaled(10, 20) * 0.1);
     }
   }
 }
@@ -92,21 +86,21 @@ TEST_CASE("skeletons of volumes are those of the shapes they were made from",
 TEST_CASE("what is stored differently has the same skeleton", "[extract][volume]") {
   const AnalyticShape made = make_analytic_shape("y");
   const Volume volume = voxelise(made.shape, 90);
-  const CurveSkeleton s = extract(volume, defaults_or_small());
+  const CurveSkeleton s = extract(volume, defaults_or_small(96, 48));
   const double diagonal = diagonal_of(volume);
 
-  const CurveSkeleton other = extract(stored_differently(volume), defaults_or_small());
+  const CurveSkeleton other = extract(stored_differently(volume), defaults_or_small(96, 48));
   CHECK(apart(s, other, diagonal) < 0.05);
   CHECK(leaf_count(other) == leaf_count(s));
 
-  const CurveSkeleton slabs = extract(thinned(volume), defaults_or_small());
+  const CurveSkeleton slabs = extract(thinned(volume), defaults_or_small(96, 48));
   CHECK(apart(s, slabs, diagonal) < 1);
   CHECK(leaf_count(slabs) == leaf_count(s));
 }
 
 TEST_CASE("the skeleton of a turned volume is turned", "[extract][volume]") {
   Volume volume = voxelise(make_analytic_shape("y").shape, 90);
-  const CurveSkeleton s = extract(volume, defaults_or_small());
+  const CurveSkeleton s = extract(volume, defaults_or_small(96, 48));
   const double diagonal = diagonal_of(volume);
   Random random(4);
   for (int i = 0; i < scaled(4, 1); ++i) {
@@ -115,7 +109,7 @@ TEST_CASE("the skeleton of a turned volume is turned", "[extract][volume]") {
     Volume turned = volume;
     for (Vec3& step : turned.steps) step = from_frame(f, step);
     turned.origin = from_frame(f, volume.origin) + shift;
-    CurveSkeleton back = extract(turned, defaults_or_small());
+    CurveSkeleton back = extract(turned, defaults_or_small(96, 48));
     for (auto& n : back.nodes) n.position = to_frame(f, n.position - shift);
     CHECK(apart(s, back, diagonal) < 0.05);
     CHECK(back.nodes.size() == s.nodes.size());
@@ -128,7 +122,7 @@ TEST_CASE("a volume is closed at the border of its box", "[extract][volume]") {
   for (int z = 0; z < 100; ++z)
     for (int y = 2; y < 10; ++y)
       for (int x = 2; x < 10; ++x) volume.set(x, y, z);
-  const CurveSkeleton s = extract(volume, defaults_or_small());
+  const CurveSkeleton s = extract(volume, defaults_or_small(96, 48));
   CHECK(leaf_count(s) == 2);
   CHECK(cycle_count(s) == 0);
   CHECK(distance_to(s, {5.5, 5.5, 50}, 1e300) < 0.5);
@@ -141,7 +135,7 @@ TEST_CASE("a volume is closed at the border of its box", "[extract][volume]") {
 TEST_CASE("any foreground has a skeleton", "[extract][volume]") {
   Volume one(1, 1, 1);
   one.set(0, 0, 0);
-  const CurveSkeleton s = extract(one, defaults_or_small());
+  const CurveSkeleton s = extract(one, defaults_or_small(96, 48));
   CHECK(!s.edges.empty());
   CHECK(component_count(s) == 1);
   CHECK(cycle_count(s) == 0);
@@ -155,7 +149,7 @@ TEST_CASE("any foreground has a skeleton", "[extract][volume]") {
       for (int y = 0; y < 15; ++y)
         for (int x = 0; x < 20; ++x)
           if (random.below(10) < share) noise.set(x, y, z);
-    const CurveSkeleton n = extract(noise, defaults_or_small());
+    const CurveSkeleton n = extract(noise, defaults_or_small(96, 48));
     CHECK(!n.edges.empty());
     CHECK(cycle_count(n) <= static_cast<int>(topology_of(noise)->tunnels));
   }

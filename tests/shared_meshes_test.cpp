@@ -66,9 +66,7 @@ TEST_CASE("real shapes have the topology that a person sees", "[extract][meshes]
     return;
   }
   const json items = json::parse(file).at("items");
-  ExtractOptions options;
-  options.image_resolution = scaled(0, 128);
-  options.grid_resolution = scaled(128, 64);
+  const ExtractOptions options = defaults_or_small(128, 64);
   int judged = 0, wrong = 0;
   std::string faults;
   for (const json& item : items) {

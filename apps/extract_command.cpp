@@ -1,67 +1,28 @@
 // marrow extract: a shape in, its curve-skeleton out.
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
-#include <marrow/parts.hpp>
 #include <marrow/simd.hpp>
-#include <marrow/volume_summary.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "command.hpp"
+#include "extraction.hpp"
 #include "limits.hpp"
 #include "progress.hpp"
 #include "statistics.hpp"
 #include "trace.hpp"
-#include "volume_input.hpp"
 
 namespace marrow {
 
 namespace {
 
 struct ExtractRequest {
-  std::string shape, from, out, to, json, trace, simd;
-  std::string silhouettes = "scanline";
-  VolumeRequest volume;
+  std::string shape, from, out, to, json, trace;
+  ExtractionRequest extraction;
   Limits limits;
-  int image = ExtractOptions{}.image_resolution;
-  double closing = ExtractOptions{}.closing;
-  int grid = ExtractOptions{}.grid_resolution;
-  int threads = 0;
-  bool largest = false;
-  double min_part = 0;  // percent
   bool quiet = false;
 };
-
-/// 64 bits of FNV-1a: names the input without a library for it; no protection against intent.
-std::string hash_of(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return std::string("fnv1a64:") + digits;
-}
-
-void add_size(Statistics& s, const Shape& shape) {
-  s["points"] = shape.points.size();
-  s["triangles"] = shape.triangles.size();
-}
-
-void add_size(Statistics& s, const Volume& volume) {
-  s["voxels"] = {volume.nx, volume.ny, volume.nz};
-  s["foreground"] = foreground_count(volume);
-}
-
-Statistics describe(const InputFile& input, const std::variant<Shape, Volume>& shape) {
-  Statistics s;
-  s["file"] = input.name;
-  s["format"] = input.format;
-  s["bytes"] = input.bytes.size();
-  s["hash"] = hash_of(input.bytes);
-  std::visit([&](const auto& any) { add_size(s, any); }, shape);
-  return s;
-}
 
 /// All that is not under "run" is the same for the same input, options and version.
 Statistics describe(const ExtractRequest& request, const Statistics& input,
@@ -70,15 +31,9 @@ Statistics describe(const ExtractRequest& request, const Statistics& input,
   s["program"] = "marrow";
   s["version"] = program_version();
   s["input"] = input;
-  if (input.contains("voxels")) s["options"]["iso"] = request.volume.iso;
-  s["options"]["image"] = request.image;
-  s["options"]["grid"] = request.grid;
-  s["options"]["closing"] = request.closing;
-  s["options"]["silhouettes"] = request.silhouettes;
-  s["options"]["largest"] = request.largest;
-  s["options"]["min_part"] = request.min_part;
+  s["options"] = describe(request.extraction, input.contains("voxels"));
   s["skeleton"] = statistics_of(skeleton);
-  s["run"]["threads"] = request.threads;
+  s["run"]["threads"] = request.extraction.threads;
   double total = 0;
   for (const auto& [stage, seconds] : times) {
     s["run"]["seconds"][stage] = seconds;
@@ -101,12 +56,7 @@ struct Extraction {
 template <class Input>
 Extraction run_stages(const ExtractRequest& request, const InputFile& input, const Input& shape,
                       Progress& progress) {
-  ExtractOptions options;
-  options.image_resolution = request.image;
-  options.closing = request.closing;
-  options.grid_resolution = request.grid;
-  if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
-  options.max_threads = request.threads;
+  ExtractOptions options = options_of(request.extraction);
   options.on_stage = [&](std::string_view stage, double done) {
     if (done < 1) progress.begin(stage, done);
   };
@@ -119,12 +69,6 @@ Extraction run_stages(const ExtractRequest& request, const InputFile& input, con
   } catch (const Error& e) {
     throw_with_name(input, e);
   }
-}
-
-CurveSkeleton kept_parts(const ExtractRequest& request, CurveSkeleton skeleton) {
-  if (request.largest) return largest_part(skeleton);
-  if (request.min_part > 0) return large_parts(skeleton, request.min_part / 100);
-  return skeleton;
 }
 
 void say_what_is_there(const ExtractRequest& request, const InputFile& input,
@@ -156,18 +100,18 @@ void check_request(const ExtractRequest& request) {
 void run_extract(const ExtractRequest& request) {
   start_clock(request.limits, request.shape);
   check_request(request);
-  set_simd_target(request.simd);
+  set_simd_target(request.extraction.simd);
   const SkeletonFormat format = output_skeleton_format(request.out, request.to);
   Progress progress(request.quiet);
   progress.begin("read", 0);
   InputFile input = read_input(request.shape, request.from, request.limits.read);
-  const auto shape = shape_or_volume_of(input, request.volume);
+  const auto shape = shape_or_volume_of(input, request.extraction.volume);
   const bool with_json = !request.json.empty();
   const Statistics about_input = with_json ? describe(input, shape) : Statistics();
   std::string().swap(input.bytes);  // as large as the shape
   Extraction extraction =
       std::visit([&](const auto& any) { return run_stages(request, input, any, progress); }, shape);
-  const CurveSkeleton skeleton = kept_parts(request, std::move(extraction.skeleton));
+  const CurveSkeleton skeleton = kept_parts(request.extraction, std::move(extraction.skeleton));
   const std::vector<StageTime> times = progress.finish();
 
   std::vector<OutputFile> files = std::move(extraction.trace);
@@ -196,42 +140,7 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
                     input_formats());
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
                     {"obj", "skel", "ply", "json"});
-  add_volume_options(verb, request.volume);
-  verb.add_option("--image", request.image,
-                  "Pixels along a side of each silhouette; by default 256, and 512 where parts\n"
-                  "are thinner than a pixel")
-      ->check(CLI::Range(64, 1024).description(""))
-      ->type_name("64..1024");
-  verb.add_option("--closing", request.closing,
-                  "Point clouds: radius in pixels that gaps between points are closed by; by\n"
-                  "default it follows the density of the points")
-      ->check(CLI::Range(0.0, 24.0).description(""))
-      ->type_name("0..24");
-  verb.add_option("--grid", request.grid,
-                  "Voxels along the longest side of the shape; thin parts get up to 192")
-      ->check(CLI::Range(16, 256).description(""))
-      ->type_name("16..256")
-      ->capture_default_str();
-  verb.add_option("--silhouettes", request.silhouettes,
-                  "Fill silhouettes in exact integers, or by rays (border pixels differ)")
-      ->check(CLI::IsMember({"scanline", "embree"}).description(""))
-      ->type_name("scanline|embree")
-      ->capture_default_str();
-  const auto largest =
-      verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
-  verb.add_option("--min-part", request.min_part,
-                  "Drop parts whose lines are shorter than this share of the longest part's")
-      ->check(CLI::Range(0.0, 100.0).description(""))
-      ->type_name("PERCENT")
-      ->excludes(largest);
-  verb.add_option("--threads", request.threads,
-                  "Threads at most, 0 for all; the result does not depend on it")
-      ->check(CLI::Range(0, 1024).description(""))
-      ->type_name("0..1024")
-      ->capture_default_str();
-  verb.add_option("--simd", request.simd,
-                  "Instruction set in place of the best one; the result does not depend on it")
-      ->type_name("NAME");
+  add_extraction_options(verb, request.extraction);
   verb.add_option("--json", request.json,
                   "File for counts, options and times; - is standard output")
       ->type_name("FILE");

@@ -18,7 +18,8 @@ using NodeId = std::uint32_t;
 struct CurveSkeleton {
   struct Node {
     Vec3 position;      ///< in the units of the shape
-    double radius = 0;  ///< of the ball at this node, > 0, in the units of the shape
+    double radius = 0;  ///< of the inscribed ball at this node, > 0, in the units of the shape
+    double section_radius = 0;  ///< of the ball that stands for the section, >= radius; 0: unknown
 
     friend bool operator==(const Node&, const Node&) = default;
   };

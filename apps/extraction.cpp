@@ -1,0 +1,111 @@
+#include "extraction.hpp"
+
+#include <marrow/parts.hpp>
+#include <marrow/volume_summary.hpp>
+
+#include <cstdint>
+#include <cstdio>
+
+namespace marrow {
+
+namespace {
+
+/// 64 bits of FNV-1a: names the input without a library for it; no protection against intent.
+std::string hash_of(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return std::string("fnv1a64:") + digits;
+}
+
+void add_size(Statistics& s, const Shape& shape) {
+  s["points"] = shape.points.size();
+  s["triangles"] = shape.triangles.size();
+}
+
+void add_size(Statistics& s, const Volume& volume) {
+  s["voxels"] = {volume.nx, volume.ny, volume.nz};
+  s["foreground"] = foreground_count(volume);
+}
+
+}  // namespace
+
+void add_extraction_options(CLI::App& verb, ExtractionRequest& request) {
+  add_volume_options(verb, request.volume);
+  verb.add_option("--image", request.image,
+                  "Pixels along a side of each silhouette; by default 256, and 512 where parts\n"
+                  "are thinner than a pixel")
+      ->check(CLI::Range(64, 1024).description(""))
+      ->type_name("64..1024");
+  verb.add_option("--closing", request.closing,
+                  "Point clouds: radius in pixels that gaps between points are closed by; by\n"
+                  "default it follows the density of the points")
+      ->check(CLI::Range(0.0, 24.0).description(""))
+      ->type_name("0..24");
+  verb.add_option("--grid", request.grid,
+                  "Voxels along the longest side of the shape; thin parts get up to 192")
+      ->check(CLI::Range(16, 256).description(""))
+      ->type_name("16..256")
+      ->capture_default_str();
+  verb.add_option("--silhouettes", request.silhouettes,
+                  "Fill silhouettes in exact integers, or by rays (border pixels differ)")
+      ->check(CLI::IsMember({"scanline", "embree"}).description(""))
+      ->type_name("scanline|embree")
+      ->capture_default_str();
+  const auto largest =
+      verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
+  verb.add_option("--min-part", request.min_part,
+                  "Drop parts whose lines are shorter than this share of the longest part's")
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name("PERCENT")
+      ->excludes(largest);
+  verb.add_option("--threads", request.threads,
+                  "Threads at most, 0 for all; the result does not depend on it")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("0..1024")
+      ->capture_default_str();
+  verb.add_option("--simd", request.simd,
+                  "Instruction set in place of the best one; the result does not depend on it")
+      ->type_name("NAME");
+}
+
+ExtractOptions options_of(const ExtractionRequest& request) {
+  ExtractOptions options;
+  options.image_resolution = request.image;
+  options.closing = request.closing;
+  options.grid_resolution = request.grid;
+  if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
+  options.max_threads = request.threads;
+  return options;
+}
+
+CurveSkeleton kept_parts(const ExtractionRequest& request, CurveSkeleton skeleton) {
+  if (request.largest) return largest_part(skeleton);
+  if (request.min_part > 0) return large_parts(skeleton, request.min_part / 100);
+  return skeleton;
+}
+
+Statistics describe(const ExtractionRequest& request, bool is_volume) {
+  Statistics s;
+  if (is_volume) s["iso"] = request.volume.iso;
+  s["image"] = request.image;
+  s["grid"] = request.grid;
+  s["closing"] = request.closing;
+  s["silhouettes"] = request.silhouettes;
+  s["largest"] = request.largest;
+  s["min_part"] = request.min_part;
+  return s;
+}
+
+Statistics describe(const InputFile& input, const std::variant<Shape, Volume>& shape) {
+  Statistics s;
+  s["file"] = input.name;
+  s["format"] = input.format;
+  s["bytes"] = input.bytes.size();
+  s["hash"] = hash_of(input.bytes);
+  std::visit([&](const auto& any) { add_size(s, any); }, shape);
+  return s;
+}
+
+}  // namespace marrow

@@ -63,11 +63,12 @@ void check_is_valid(const CurveSkeleton& s, const Shape& shape) {
   const double margin = 0.01 * bounds.diagonal();
   REQUIRE_FALSE(s.nodes.empty());
   int bad_nodes = 0, bad_edges = 0;
-  for (const auto& [p, radius] : s.nodes) {
+  for (const auto& [p, radius, section_radius] : s.nodes) {
     const bool is_in = p.x >= bounds.low.x - margin && p.x <= bounds.high.x + margin &&
                        p.y >= bounds.low.y - margin && p.y <= bounds.high.y + margin &&
                        p.z >= bounds.low.z - margin && p.z <= bounds.high.z + margin;
     bad_nodes += !is_in || !(radius > 0) || !std::isfinite(radius);  // NaN is in no box
+    bad_nodes += section_radius != 0 && !(section_radius >= radius);
   }
   for (const auto& [a, b] : s.edges) bad_edges += a >= b || b >= s.nodes.size();
   CHECK(bad_nodes == 0);

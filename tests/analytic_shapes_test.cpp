@@ -161,7 +161,8 @@ TEST_CASE("analytic shapes: the truth lies inside, its radii reach the surface")
     const std::size_t step = std::max<std::size_t>(1, made.truth.nodes.size() / nodes);
     int far = 0, agree = 0;
     for (std::size_t i = 0; i < made.truth.nodes.size(); i += step) {
-      const auto& [place, radius] = made.truth.nodes[i];
+      const Vec3 place = made.truth.nodes[i].position;
+      const double radius = made.truth.nodes[i].radius;
       const double depth = depth_of(made, place);
       INFO(made.name << ": node " << i << " at " << place.x << " " << place.y << " " << place.z
                      << ", radius " << radius << ", depth " << depth);

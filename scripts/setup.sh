@@ -26,6 +26,8 @@ packages=(
 )
 optional=(
   libassimp-dev         # marrow-import: glTF, FBX and others
+  pybind11-dev python3-dev python3-numpy python3-pytest   # the Python module and its tests
+  python3-networkx      # Skeleton.to_networkx()
 )
 case "${1-}" in
   --all) packages+=("${optional[@]}") ;;

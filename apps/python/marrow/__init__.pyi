@@ -1,0 +1,90 @@
+import os
+from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Callable[[str, float], Any]
+
+class Error(RuntimeError):
+    kind: str
+    status: int
+
+class Skeleton:
+    def __init__(
+        self,
+        nodes: ArrayLike,
+        radii: ArrayLike,
+        edges: ArrayLike,
+        section_radii: Optional[ArrayLike] = ...,
+    ) -> None: ...
+    @property
+    def nodes(self) -> NDArray[np.float64]: ...
+    @property
+    def radii(self) -> NDArray[np.float64]: ...
+    @property
+    def section_radii(self) -> NDArray[np.float64]: ...
+    @property
+    def edges(self) -> NDArray[np.uint32]: ...
+    @property
+    def branches(self) -> List[NDArray[np.uint32]]: ...
+    @property
+    def degrees(self) -> NDArray[np.int32]: ...
+    @property
+    def components(self) -> int: ...
+    @property
+    def cycles(self) -> int: ...
+    @property
+    def leaves(self) -> int: ...
+    @property
+    def joints(self) -> int: ...
+    @property
+    def length(self) -> float: ...
+    def save(self, path: Path) -> None: ...
+    def to_networkx(self) -> Any: ...
+    def largest_part(self) -> "Skeleton": ...
+    def large_parts(self, share: float) -> "Skeleton": ...
+    def __len__(self) -> int: ...
+    def __eq__(self, other: object) -> bool: ...
+
+def extract(
+    vertices: ArrayLike,
+    faces: Optional[ArrayLike] = ...,
+    *,
+    image: int = ...,
+    grid: int = ...,
+    closing: float = ...,
+    smoothing: int = ...,
+    silhouettes: str = ...,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Skeleton: ...
+def extract_volume(
+    values: NDArray[Any],
+    iso: float = ...,
+    spacing: Sequence[float] = ...,
+    origin: Sequence[float] = ...,
+    *,
+    image: int = ...,
+    grid: int = ...,
+    smoothing: int = ...,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Skeleton: ...
+def extract_file(
+    path: Path,
+    iso: float = ...,
+    *,
+    image: int = ...,
+    grid: int = ...,
+    closing: float = ...,
+    smoothing: int = ...,
+    silhouettes: str = ...,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Skeleton: ...
+def load(path: Path) -> Skeleton: ...
+def read_shape(path: Path) -> Tuple[NDArray[np.float64], NDArray[np.uint32]]: ...

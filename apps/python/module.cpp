@@ -125,6 +125,7 @@ void bind_error(py::module_& m) {
   type.doc() =
       "What went wrong. kind: 'usage', 'malformed', ...; status: the exit status that the program\n"
       "marrow has for it.";
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the type is pybind11's
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

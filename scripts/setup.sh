@@ -33,7 +33,7 @@ case "${1-}" in
   --all) packages+=("${optional[@]}") ;;
   --dev)
     packages+=("${optional[@]}" clang-format clang-tidy shellcheck python3-pyflakes valgrind)
-    packages+=(libbenchmark-dev)
+    packages+=(libbenchmark-dev doxygen)
     ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
   --fuzz)

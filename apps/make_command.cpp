@@ -20,6 +20,7 @@ namespace {
 struct MakeRequest {
   std::string name, out, to, truth;
   double resolution = 1;
+  int pose = 0;
   int voxels = 128;
   bool list = false;
 };
@@ -66,7 +67,7 @@ void run_make(const MakeRequest& request) {
   if (!is_volume(request)) output_shape_format(request.out, request.to);
   if (!request.truth.empty()) skeleton_format_of(request.truth);
 
-  const AnalyticShape made = make_analytic_shape(request.name, {request.resolution});
+  const AnalyticShape made = make_analytic_shape(request.name, {request.resolution, request.pose});
   std::vector<OutputFile> files{{request.out, format_made(made, request)}};
   if (!request.truth.empty()) files.push_back({request.truth, format_truth(made, request.truth)});
   write_outputs(files);
@@ -90,6 +91,12 @@ void add_make_command(CLI::App& program) {
   verb->add_option("--resolution", request->resolution, "Factor on the number of faces")
       ->type_name("0.5..50")
       ->capture_default_str();
+  verb->add_option(
+          "--pose", request->pose,
+          "Bend the limbs of a body at random, the same for the same number; 0: not at all")
+      ->check(CLI::Range(0, kMostPose).description(""))
+      ->type_name("N")
+      ->capture_default_str();
   verb->add_option("--voxels", request->voxels, "Of .nrrd: voxels along the longest side")
       ->check(CLI::Range(8, 1024).description(""))
       ->type_name("8..1024")
@@ -100,6 +107,7 @@ void add_make_command(CLI::App& program) {
       "  marrow make --list\n"
       "  marrow make torus -o torus.obj --truth torus.gt.json\n"
       "  marrow make trefoil -o trefoil.nrrd --voxels 256\n"
+      "  marrow make stick-figure -o dancer.ply --pose 7\n"
       "  marrow make trefoil -o - --to ply --resolution 4 | marrow info - --from ply\n");
   verb->callback([request] { run_make(*request); });
 }

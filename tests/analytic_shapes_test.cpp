@@ -139,6 +139,26 @@ TEST_CASE("analytic shapes: finer meshes have the same topology") {
   }
 }
 
+TEST_CASE("analytic shapes: bodies bend and stay what they are") {
+  for (const char* name : {"stick-figure", "stick-figure-union", "quadruped"}) {
+    const AnalyticShape& at_rest = coarse(name);
+    for (const int pose : {1, 2, 77}) {
+      const AnalyticShape bent = make_analytic_shape(name, {kLeastResolution, pose});
+      INFO(name << " in pose " << pose);
+      check_topology(bent);
+      CHECK(leaf_count(bent.truth) == *at_rest.leaves);
+      CHECK(cycle_count(bent.truth) == 0);
+      CHECK(bent.truth != at_rest.truth);
+      CHECK(total_length(bent.truth) == Approx(total_length(at_rest.truth)).epsilon(0.03));
+      CHECK(bent.truth == make_analytic_shape(name, {kLeastResolution, pose}).truth);
+    }
+  }
+  for (const char* name : {"torus", "mug", "gingerbread-man"})
+    CHECK_THROWS_AS(make_analytic_shape(name, {1, 1}), Error);
+  for (const int pose : {-1, kMostPose + 1})
+    CHECK_THROWS_AS(make_analytic_shape("y", {1, pose}), Error);
+}
+
 TEST_CASE("analytic shapes: the truth is the graph that they state") {
   for (const AnalyticShapeInfo& info : analytic_shapes()) {
     const AnalyticShape& made = coarse(info.name);

@@ -212,6 +212,7 @@ bad 2 'NAME is missing' make
 bad 2 'missing' make torus
 bad 2 'no-such-shape' make no-such-shape -o out.obj
 bad 2 'resolution' make torus -o out.obj --resolution 0
+bad 2 'no limbs to bend; take one of y ' make torus -o out.obj --pose 1
 bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 20x20
 bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 800
 bad 2 'standard input' render - - --from obj -o out.png

@@ -86,3 +86,12 @@ TEST_CASE("skeletons of analytic shapes are what the shapes were made from", "[e
     CHECK(radius_error < scaled(100, 200) * 1e-4 * diagonal);
   }
 }
+
+TEST_CASE("a figure in other poses has the same limbs", "[extract][truth]") {
+  for (int pose = 1; pose <= scaled(12, 2); ++pose) {
+    const AnalyticShape made = make_analytic_shape("stick-figure", {kLeastResolution, pose});
+    const CurveSkeleton s = extract(made.shape, defaults_or_small(128, 64));
+    INFO("pose " << pose << ": " << leaf_count(s) << " leaves");
+    CHECK(has_stated_topology(made, s));
+  }
+}

@@ -2,11 +2,14 @@
 
 #include <marrow/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "models.hpp"
 #include "polygonise.hpp"
+#include "pose.hpp"
 
 namespace marrow {
 namespace {
@@ -19,12 +22,12 @@ using Maker = Model (*)(const Detail&);
 /// `Bones` with smooth flesh, in cells of `CellPerMille` / 1000.
 template <BoneGraph (*Bones)(), int CellPerMille>
 Model make_blend(const Detail& detail) {
-  return blended_model(Bones(), CellPerMille / 1000.0, detail);
+  return blended_model(posed(Bones(), detail.pose), CellPerMille / 1000.0, detail);
 }
 
 template <BoneGraph (*Bones)(), int Sides>
 Model make_overlap(const Detail& detail) {
-  return overlapping_model(Bones(), Sides, detail);
+  return overlapping_model(posed(Bones(), detail.pose), Sides, detail);
 }
 
 constexpr auto kClosed = SurfaceKind::Closed;
@@ -105,6 +108,22 @@ std::string unknown_name(const std::string& name) {
   return message;
 }
 
+/// Bodies of bones without a loop.
+bool can_be_posed(const AnalyticShapeInfo& info) {
+  constexpr std::array kBodies{
+      "y",           "y-union",           "star",         "star-union",
+      "vessel-tree", "vessel-tree-union", "stick-figure", "stick-figure-union",
+      "hand",        "quadruped",         "octopus",      "plant"};
+  return std::find(kBodies.begin(), kBodies.end(), std::string_view(info.name)) != kBodies.end();
+}
+
+std::string cannot_be_posed(const std::string& name) {
+  std::string message = "make: " + name + " has no limbs to bend; take one of";
+  for (const AnalyticShapeInfo& info : kInfos)
+    if (can_be_posed(info)) message += std::string(" ") + info.name;
+  return message;
+}
+
 std::size_t index_of(const std::string& name) {
   for (std::size_t i = 0; i < kInfos.size(); ++i) {
     if (name == kInfos[i].name) return i;
@@ -130,7 +149,11 @@ AnalyticShape make_analytic_shape(const std::string& name, const MakeOptions& op
   const bool is_in_range =
       options.resolution >= kLeastResolution && options.resolution <= kMostResolution;
   if (!is_in_range) throw Error(ErrorKind::Usage, "make: the resolution must be from 0.5 to 50");
-  Model model = kMakers[index]({std::sqrt(options.resolution)});
+  if (options.pose < 0 || options.pose > kMostPose)
+    throw Error(ErrorKind::Usage, "make: the pose must be from 0 to " + std::to_string(kMostPose));
+  if (options.pose > 0 && !can_be_posed(kInfos[index]))
+    throw Error(ErrorKind::Usage, cannot_be_posed(name));
+  Model model = kMakers[index]({std::sqrt(options.resolution), options.pose});
   for (Vec3& p : model.shape.points) p = rounded(p);
   for (CurveSkeleton::Node& node : model.truth.nodes) {
     node = {rounded(node.position), rounded(node.radius)};

@@ -43,16 +43,19 @@ struct AnalyticShape {
 /// Coarser meshes would miss the thinnest parts; finer ones take minutes.
 inline constexpr double kLeastResolution = 0.5;
 inline constexpr double kMostResolution = 50;
+inline constexpr int kMostPose = 1'000'000;
 
 struct MakeOptions {
   double resolution = 1;  ///< factor on the number of faces
+  int pose = 0;           ///< of bodies of bones: how their limbs are bent; 0: as they are
 };
 
 /// All shapes that make_analytic_shape() knows, in the order of this list.
 std::span<const AnalyticShapeInfo> analytic_shapes();
 
 /// Makes the shape `name`: the same numbers on every machine, multiples of 1e-6.
-/// Throws Error: Usage (no such name: the message lists all; resolution out of range).
+/// Throws Error: Usage (no such name: the message lists all; resolution or pose out of range; a
+/// pose of a shape that is no tree of bones).
 AnalyticShape make_analytic_shape(const std::string& name, const MakeOptions& options = {});
 
 /// The truth as JSON: {"name", "kind", "note", "expected": {"components", "cycles", "tips": [least,

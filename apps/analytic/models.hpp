@@ -15,9 +15,10 @@ struct Model {
   CurveSkeleton truth;
 };
 
-/// How fine the mesh is; the truth does not depend on it.
+/// How fine the mesh is, which the truth does not depend on, and how the body is bent.
 struct Detail {
   double scale = 1;  ///< of the number of samples along a line
+  int pose = 0;      ///< of bodies of bones: see posed()
 
   int count(int samples) const { return static_cast<int>(std::ceil(samples * scale)); }
   double size(double cell) const { return cell / scale; }

@@ -29,6 +29,19 @@ inline void intersect_coherent(const int* valid, RTCScene scene, EmbreeContext& 
 inline void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
   rtcOccluded16(valid, scene, &rays, nullptr);
 }
+
+/// One ray. `context` reaches the filter as args->context.
+inline void intersect(RTCScene scene, EmbreeContext& context, RTCRayHit& ray,
+                      RTCFilterFunctionN filter) {
+  rtcInitRayQueryContext(&context);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = static_cast<RTCRayQueryFlags>(RTC_RAY_QUERY_FLAG_INCOHERENT |
+                                                  RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
+  arguments.context = &context;
+  arguments.filter = filter;
+  rtcIntersect1(scene, &ray, &arguments);
+}
 #else
 using EmbreeContext = RTCIntersectContext;
 
@@ -45,6 +58,14 @@ inline void occlude(const int* valid, RTCScene scene, RTCRay16& rays) {
   EmbreeContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded16(valid, scene, &context, &rays);
+}
+
+/// One ray. `context` reaches the filter as args->context.
+inline void intersect(RTCScene scene, EmbreeContext& context, RTCRayHit& ray,
+                      RTCFilterFunctionN filter) {
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  rtcIntersect1(scene, &context, &ray);
 }
 #endif
 

@@ -16,6 +16,15 @@ constexpr const char* kDevice = "max_isa=avx";
 // From here on building the tree takes longer than tracing through it does.
 constexpr std::size_t kManyTriangles = 200'000;
 
+// The filter of a ray is asked only where the scene has been told that there may be one.
+#if MARROW_EMBREE == 4
+const RTCSceneFlags kSceneFlags = static_cast<RTCSceneFlags>(
+    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+#else
+const RTCSceneFlags kSceneFlags = static_cast<RTCSceneFlags>(
+    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+#endif
+
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_OUT_OF_MEMORY)
@@ -49,12 +58,13 @@ void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& sh
 
 }  // namespace
 
-SurfaceScene::SurfaceScene(const NormalizedShape& shape) : embree_(std::make_unique<Embree>()) {
+SurfaceScene::SurfaceScene(const NormalizedShape& shape)
+    : shape_(shape), embree_(std::make_unique<Embree>()) {
   Embree& e = *embree_;
   e.device = rtcNewDevice(kDevice);
   if (e.device == nullptr) throw Error(ErrorKind::Internal, "Embree does not start");
   e.scene = rtcNewScene(e.device);
-  rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(e.scene, kSceneFlags);
   if (!shape.triangles.empty()) add_triangles(e, shape);
   rtcCommitScene(e.scene);
   check(e.device);

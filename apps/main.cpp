@@ -19,10 +19,12 @@ constexpr const char* kExamples =
     "  marrow make quadruped -o animal.obj         a shape to begin with\n"
     "  marrow extract animal.obj -o animal.skel    its curve-skeleton\n"
     "  marrow info animal.skel                     what is in it\n"
+    "  marrow check animal.obj animal.skel         how good it is\n"
     "  marrow render animal.obj animal.skel -o animal.png\n"
     "\n"
     "Exit status: 0 done, 1 internal error, 2 usage, 3 cannot read, 4 malformed file,\n"
-    "5 unsupported, 6 nothing to skeletonise, 7 a limit was hit, 8 cannot write.\n";
+    "5 unsupported, 6 nothing to skeletonise, 7 a limit was hit, 8 cannot write,\n"
+    "10 a check failed.\n";
 
 void set_up(CLI::App& program) {
   program.name("marrow");
@@ -32,6 +34,7 @@ void set_up(CLI::App& program) {
   program.require_subcommand(1);
   add_extract_command(program);
   add_info_command(program);
+  add_check_command(program);
   add_make_command(program);
   add_render_command(program);
 }

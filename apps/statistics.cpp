@@ -27,6 +27,7 @@ void add_radii(Statistics& s, const CurveSkeleton& skeleton) {
 }
 
 std::string text_of(const Statistics& value) {
+  if (value.is_null()) return "n/a";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_float()) {
     char digits[32];

@@ -19,7 +19,7 @@ says 'Embree [0-9]'
 says 'TBB [0-9]'
 good --help
 says 'Exit status'
-for verb in extract info make render; do
+for verb in extract info check make render; do
   good "$verb" --help
   says 'Examples:'
   [ ! -s stderr ] || fail "help on standard error"
@@ -59,12 +59,43 @@ grep -q 'torus.obj -> skeleton.obj: .*cycles 1,' stderr || fail "no word about t
 silent render torus.obj skeleton.skel -o picture.png --size 320x240
 [ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "no picture"
 
+# --- check: figures, and gates with a status of their own -----------------------------------------
+good check torus.obj truth.skel --same-topology --components 1 --cycles 1 --max-outside 0 \
+  --max-centredness 0.05 --max-reconstruction 0.3 --min-coverage 99 --max-radius-error 0.2
+says '^shape cycles +1'
+says '^outside percent +0$'
+[ ! -s stderr ] || fail "words about a good skeleton: $(cat stderr)"
+good check torus.obj skeleton.obj --json
+says '"outside_percent": 0.0,'
+says '"shape_cycles": 1,'
+cp stdout figures.json
+"$marrow" check torus.obj - --from skel --json <skeleton.skel | sed 's/standard input/skeleton.obj/' |
+  cmp -s - figures.json || fail "check in a pipe"
+awk '$1 == "v" { $2 *= 1.3 } 1' skeleton.obj >moved.obj
+run check torus.obj moved.obj --max-outside 1 --max-centredness 0.2 --max-radius-error 1
+says '^outside percent +[1-9]'
+refused 10 'moved.obj: outside ' "check of a moved skeleton"
+for words in 'is more than 1 %; centredness' 'is more than 0.2; radius error'; do
+  refused 10 "$words" "check of a moved skeleton"
+done
+printf 'v 1 0 0 1\nv -1 0 0 1\nv 0 1 0 1\nl 1 2 3\n' >line.obj
+run check torus.obj line.obj --same-topology
+refused 10 'line.obj: cycles 0 instead of 1' "check of a line"
+run check torus.obj line.obj --cycles 0 --components 2 --min-coverage 99
+refused 10 'is less than 99 %; components 1 instead of 2' "check of a line"
+bad 2 'standard input' check - - --from obj
+bad 2 '--max-outside' check torus.obj line.obj --max-outside -1
+bad 4 'torus.obj' check torus.obj torus.obj
+printf 'v 1e30 0 0 1\nv 0 0 0 1\nl 1 2\n' >away.obj
+bad 4 'away.obj: a node lies' check torus.obj away.obj
+
 # --- volumes --------------------------------------------------------------------------------------
 silent make torus -o torus.nrrd --voxels 40
 good info torus.nrrd
 says '^kind +volume'
 says '^voxels +42 42 12'
 says '^tunnels +1'
+good check torus.nrrd truth.skel --same-topology
 silent extract torus.nrrd -o voxels.obj "${quick[@]}" --json voxels.json
 good info voxels.obj
 says '^cycles +1'
@@ -177,6 +208,11 @@ silent extract cloud.xyz -o cloud.obj --trace cloud_stages "${quick[@]}"
 good info cloud.obj
 says '^cycles +1'
 silent extract cloud.xyz -o closed.obj --closing 4 "${quick[@]}"
+good check cloud.xyz cloud.obj
+says '^outside percent +n/a'
+says '^coverage percent +[1-9]'
+run check cloud.xyz cloud.obj --max-outside 1 --same-topology
+refused 10 'outside cannot be told' "check against a cloud"
 good render cloud.xyz cloud.obj -o cloud.png
 printf '1 2 3\n' >one.xyz
 bad 6 'coincide' extract one.xyz -o out.obj

@@ -16,6 +16,7 @@ enum class ErrorKind {
   Empty = 6,        ///< a legal shape with nothing to skeletonise
   Limit = 7,        ///< a limit on size, memory or time was hit
   CannotWrite = 8,
+  CheckFailed = 10,  ///< of `marrow check`: a figure is not what was asked for
 };
 
 /// Every failure that a caller can cause is thrown as this type. `what()` is one line that names

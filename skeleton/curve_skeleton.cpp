@@ -34,6 +34,27 @@ std::vector<int> degrees(const CurveSkeleton& skeleton) {
   return degree;
 }
 
+std::vector<std::vector<NodeId>> neighbours_of(const CurveSkeleton& skeleton) {
+  std::vector<std::vector<NodeId>> result(skeleton.nodes.size());
+  for (const auto& e : skeleton.edges) {
+    result[e[0]].push_back(e[1]);
+    result[e[1]].push_back(e[0]);
+  }
+  for (auto& list : result) std::sort(list.begin(), list.end());
+  return result;
+}
+
+std::vector<std::uint32_t> component_of_nodes(const CurveSkeleton& skeleton) {
+  DisjointSets parts(skeleton.nodes.size());
+  for (const auto& [a, b] : skeleton.edges) parts.join(a, b);
+  std::vector<std::uint32_t> part(parts.size());
+  std::uint32_t count = 0;
+  // The root is the first node of its part.
+  for (NodeId n = 0; n < part.size(); ++n)
+    part[n] = parts.root(n) == n ? count++ : part[parts.root(n)];
+  return part;
+}
+
 int component_count(const CurveSkeleton& skeleton) {
   DisjointSets parts(skeleton.nodes.size());
   for (const auto& e : skeleton.edges) parts.join(e[0], e[1]);

@@ -1,4 +1,3 @@
-#include <marrow/disjoint_sets.hpp>
 #include <marrow/parts.hpp>
 
 #include <algorithm>
@@ -8,20 +7,10 @@ namespace marrow {
 
 namespace {
 
-/// The part that each node belongs to, counted in the order of their first nodes.
-std::vector<std::size_t> part_of_nodes(const CurveSkeleton& skeleton) {
-  DisjointSets parts(skeleton.nodes.size());
-  for (const auto& [a, b] : skeleton.edges) parts.join(a, b);
-  std::vector<std::size_t> part(parts.size());
-  std::size_t count = 0;
-  // The root is the first node of its part.
-  for (NodeId n = 0; n < part.size(); ++n)
-    part[n] = parts.root(n) == n ? count++ : part[parts.root(n)];
-  return part;
-}
-
-std::vector<double> sizes_of(const CurveSkeleton& skeleton, const std::vector<std::size_t>& part) {
-  std::vector<double> size(part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1, 0.0);
+std::vector<double> sizes_of(const CurveSkeleton& skeleton,
+                             const std::vector<std::uint32_t>& part) {
+  std::vector<double> size(
+      part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + std::size_t{1}, 0.0);
   const std::vector<int> degree = degrees(skeleton);
   for (std::size_t n = 0; n < part.size(); ++n)
     if (degree[n] < 2) size[part[n]] += (2 - degree[n]) * skeleton.nodes[n].radius;
@@ -47,11 +36,25 @@ CurveSkeleton nodes_that(const CurveSkeleton& skeleton, Predicate is_kept) {
 }  // namespace
 
 std::vector<double> part_sizes(const CurveSkeleton& skeleton) {
-  return sizes_of(skeleton, part_of_nodes(skeleton));
+  return sizes_of(skeleton, component_of_nodes(skeleton));
+}
+
+std::vector<CurveSkeleton> parts_of(const CurveSkeleton& skeleton) {
+  const auto part = component_of_nodes(skeleton);
+  std::vector<CurveSkeleton> parts;
+  std::vector<NodeId> id(part.size());
+  for (NodeId n = 0; n < part.size(); ++n) {
+    if (part[n] == parts.size()) parts.emplace_back();
+    auto& nodes = parts[part[n]].nodes;
+    id[n] = static_cast<NodeId>(nodes.size());
+    nodes.push_back(skeleton.nodes[n]);
+  }
+  for (const auto& [a, b] : skeleton.edges) parts[part[a]].edges.push_back({id[a], id[b]});
+  return parts;
 }
 
 CurveSkeleton largest_part(const CurveSkeleton& skeleton) {
-  const auto part = part_of_nodes(skeleton);
+  const auto part = component_of_nodes(skeleton);
   const auto size = sizes_of(skeleton, part);
   const auto largest = std::distance(size.begin(), std::max_element(size.begin(), size.end()));
   return nodes_that(skeleton,
@@ -59,7 +62,7 @@ CurveSkeleton largest_part(const CurveSkeleton& skeleton) {
 }
 
 CurveSkeleton large_parts(const CurveSkeleton& skeleton, double share) {
-  const auto part = part_of_nodes(skeleton);
+  const auto part = component_of_nodes(skeleton);
   const auto size = sizes_of(skeleton, part);
   const double least = size.empty() ? 0 : share * *std::max_element(size.begin(), size.end());
   return nodes_that(skeleton, [&](NodeId n) { return size[part[n]] >= least; });

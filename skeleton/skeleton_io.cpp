@@ -3,6 +3,7 @@
 #include <marrow/skeleton_io.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "skeleton_text_detail.hpp"
@@ -11,59 +12,105 @@ namespace marrow {
 
 namespace {
 
+namespace detail = skeleton_detail;
+
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;
+
+struct Entry {
+  SkeletonFormat format;
+  const char* extension;
+  std::string (*write)(const CurveSkeleton&);
+  CurveSkeleton (*read)(std::string_view, const detail::Source&);  ///< null: only written
+};
+
+constexpr std::array<Entry, 13> kFormats = {{
+    {SkeletonFormat::Obj, "obj", detail::format_obj, detail::parse_obj},
+    {SkeletonFormat::Skel, "skel", detail::format_skel, detail::parse_skel},
+    {SkeletonFormat::Ply, "ply", detail::format_ply, detail::parse_ply},
+    {SkeletonFormat::Json, "json", detail::format_json, detail::parse_json},
+    {SkeletonFormat::Cg, "cg", detail::format_cg, detail::parse_cg},
+    {SkeletonFormat::Graph, "graph", detail::format_graph, detail::parse_graph},
+    {SkeletonFormat::Swc, "swc", detail::format_swc, detail::parse_swc},
+    {SkeletonFormat::Polylines, "polylines", detail::format_polylines, detail::parse_polylines},
+    {SkeletonFormat::Vtp, "vtp", detail::format_vtp, detail::parse_vtp},
+    {SkeletonFormat::GraphMl, "graphml", detail::format_graphml, detail::parse_graphml},
+    {SkeletonFormat::Csv, "csv", detail::format_csv, detail::parse_csv},
+    {SkeletonFormat::Dot, "dot", detail::format_dot, nullptr},
+    {SkeletonFormat::Glb, "glb", detail::format_glb, nullptr},
+}};
+
+const Entry& entry_of(SkeletonFormat format) {
+  for (const Entry& entry : kFormats)
+    if (entry.format == format) return entry;
+  throw Error(ErrorKind::Internal, "no such format of a curve-skeleton");
+}
+
+/// "a, b, c or d".
+std::string choice_of(const std::vector<std::string>& names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += (i == 0 ? "." : i + 1 < names.size() ? ", ." : " or .") + names[i];
+  return words;
+}
 
 bool is_writable(const CurveSkeleton::Node& node) {
   return std::isfinite(node.position.x) && std::isfinite(node.position.y) &&
-         std::isfinite(node.position.z) && std::isfinite(node.radius);
+         std::isfinite(node.position.z) && std::isfinite(node.radius) &&
+         std::isfinite(node.section_radius) &&
+         (node.section_radius == 0 || node.section_radius >= node.radius);
+}
+
+bool is_polylines(const std::string& path) {
+  constexpr std::size_t kTail = sizeof ".txt" - 1;
+  return extension_of(path) == "txt" &&
+         extension_of(path.substr(0, path.size() - kTail)) == "polylines";
 }
 
 }  // namespace
 
+std::vector<std::string> skeleton_formats() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kFormats) names.emplace_back(entry.extension);
+  return names;
+}
+
+std::vector<std::string> readable_skeleton_formats() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kFormats)
+    if (entry.read != nullptr) names.emplace_back(entry.extension);
+  return names;
+}
+
 SkeletonFormat skeleton_format_of(const std::string& path) {
+  if (is_polylines(path)) return SkeletonFormat::Polylines;
   const std::string extension = extension_of(path);
-  if (extension == "obj") return SkeletonFormat::Obj;
-  if (extension == "skel") return SkeletonFormat::Skel;
-  if (extension == "ply") return SkeletonFormat::Ply;
-  if (extension == "json") return SkeletonFormat::Json;
-  throw Error(ErrorKind::Unsupported,
-              path + ": curve-skeletons are .obj, .skel, .ply or .json files; rename it");
+  if (extension == "gv") return SkeletonFormat::Dot;
+  for (const Entry& entry : kFormats)
+    if (extension == entry.extension) return entry.format;
+  throw Error(ErrorKind::Unsupported, path + ": curve-skeletons are " +
+                                          choice_of(skeleton_formats()) + " files; rename it");
 }
 
 std::string format_skeleton(const CurveSkeleton& skeleton, SkeletonFormat format) {
   if (!std::all_of(skeleton.nodes.begin(), skeleton.nodes.end(), is_writable))
-    throw Error(ErrorKind::Internal, "a node of the curve-skeleton is not finite");
-  switch (format) {
-    case SkeletonFormat::Obj:
-      return skeleton_detail::format_obj(skeleton);
-    case SkeletonFormat::Skel:
-      return skeleton_detail::format_skel(skeleton);
-    case SkeletonFormat::Ply:
-      return skeleton_detail::format_ply(skeleton);
-    case SkeletonFormat::Json:
-      return skeleton_detail::format_json(skeleton);
-  }
-  throw Error(ErrorKind::Internal, "no such format of a curve-skeleton");
+    throw Error(ErrorKind::Internal,
+                "a node of the curve-skeleton is not finite, or its section is below its radius");
+  return entry_of(format).write(skeleton);
 }
 
-CurveSkeleton parse_skeleton(std::string_view bytes, SkeletonFormat format,
-                             const std::string& name) {
-  switch (format) {
-    case SkeletonFormat::Obj:
-      return skeleton_detail::parse_obj(bytes, name);
-    case SkeletonFormat::Skel:
-      return skeleton_detail::parse_skel(bytes, name);
-    case SkeletonFormat::Ply:
-      return skeleton_detail::parse_ply(bytes, name);
-    case SkeletonFormat::Json:
-      return skeleton_detail::parse_json(bytes, name);
-  }
-  throw Error(ErrorKind::Internal, "no such format of a curve-skeleton");
+CurveSkeleton parse_skeleton(std::string_view bytes, SkeletonFormat format, const std::string& name,
+                             double missing_radius) {
+  const Entry& entry = entry_of(format);
+  if (entry.read == nullptr)
+    throw Error(ErrorKind::Unsupported, name + ": ." + entry.extension +
+                                            " files of curve-skeletons are only written; use " +
+                                            choice_of(readable_skeleton_formats()));
+  return entry.read(bytes, {name, missing_radius});
 }
 
-CurveSkeleton read_skeleton(const std::string& path) {
+CurveSkeleton read_skeleton(const std::string& path, double missing_radius) {
   const SkeletonFormat format = skeleton_format_of(path);
-  return parse_skeleton(read_file(path, kMaxBytes), format, path);
+  return parse_skeleton(read_file(path, kMaxBytes), format, path, missing_radius);
 }
 
 void write_skeleton(const std::string& path, const CurveSkeleton& skeleton) {

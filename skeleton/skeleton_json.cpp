@@ -12,6 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kDeepest = 64;
+constexpr std::uint64_t kVersion = 1, kVersionWithSections = 2;  ///< of the file
 
 [[noreturn]] void fail_at(const std::string& name, const std::string& place,
                           const std::string& what) {
@@ -38,16 +39,17 @@ json parse_text(std::string_view bytes, const std::string& name) {
   }
 }
 
-void check_version(const json& file, const std::string& name) {
+std::uint64_t version_of(const json& file, const std::string& name) {
   const auto format = file.is_object() ? file.find("format") : file.end();
   if (!file.is_object() || format == file.end() || *format != "marrow-skeleton")
     throw Error(ErrorKind::Malformed, name + ": no \"format\": \"marrow-skeleton\" in this file");
   const auto version = file.find("version");
   if (version == file.end() || !version->is_number_unsigned())
     fail_at(name, "version", "is not a number");
-  if (*version != 1)
+  if (*version != kVersion && *version != kVersionWithSections)
     throw Error(ErrorKind::Unsupported,
-                name + ": version " + version->dump() + "; this program reads version 1");
+                name + ": version " + version->dump() + "; this program reads versions 1 and 2");
+  return version->get<std::uint64_t>();
 }
 
 const json& array_of(const json& file, const char* key, const std::string& name) {
@@ -56,16 +58,23 @@ const json& array_of(const json& file, const char* key, const std::string& name)
   return *found;
 }
 
-CurveSkeleton::Node node_of(const json& row, const std::string& name, std::size_t index) {
-  const auto fail_here = [&](const char* what) {
+CurveSkeleton::Node node_of(const json& row, std::uint64_t version, const std::string& name,
+                            std::size_t index) {
+  const auto fail_here = [&](const std::string& what) {
     fail_at(name, "nodes[" + std::to_string(index) + "]", what);
   };
-  if (!row.is_array() || row.size() != 4) fail_here("is not [x, y, z, radius]");
+  const bool with_section = version == kVersionWithSections;
+  if (!row.is_array() || row.size() != (with_section ? 5 : 4))
+    fail_here(with_section ? "is not [x, y, z, radius, section_radius]"
+                           : "is not [x, y, z, radius]");
   for (const json& value : row)
-    if (!value.is_number()) fail_here("is not four numbers");
-  const CurveSkeleton::Node node{{row[0].get<double>(), row[1].get<double>(), row[2].get<double>()},
-                                 row[3].get<double>()};
+    if (!value.is_number()) fail_here("is not of numbers");
+  CurveSkeleton::Node node{{row[0].get<double>(), row[1].get<double>(), row[2].get<double>()},
+                           row[3].get<double>()};
   if (!(node.radius > 0)) fail_here("has a radius that is not greater than 0");
+  if (with_section) node.section_radius = row[4].get<double>();
+  const std::string fault = check_section_radius(node.section_radius, node.radius);
+  if (!fault.empty()) fail_here(fault);
   return node;
 }
 
@@ -118,12 +127,18 @@ void append_rows(std::string& text, const char* key, const Rows& rows, AppendRow
 }  // namespace
 
 std::string format_json(const CurveSkeleton& skeleton) {
-  std::string text =
-      "{\n  \"format\": \"marrow-skeleton\",\n  \"version\": 1,\n"
-      "  \"units\": \"of the shape\",\n  \"counts\": {";
+  const bool with_sections = has_section_radii(skeleton);
+  std::string text = "{\n  \"format\": \"marrow-skeleton\",\n  \"version\": ";
+  append(text, with_sections ? kVersionWithSections : kVersion);
+  text += ",\n  \"units\": \"of the shape\",\n  \"counts\": {";
   append_counts(text, skeleton);
   text += "},\n";
-  append_rows(text, "nodes", skeleton.nodes, [&](const auto& node) { append(text, node, ", "); });
+  append_rows(text, "nodes", skeleton.nodes, [&](const auto& node) {
+    append(text, node, ", ");
+    if (!with_sections) return;
+    text += ", ";
+    append(text, node.section_radius);
+  });
   text += ",\n";
   append_rows(text, "edges", skeleton.edges, [&](const auto& edge) {
     append(text, std::uint64_t{edge[0]});
@@ -133,12 +148,13 @@ std::string format_json(const CurveSkeleton& skeleton) {
   return text + "\n}\n";
 }
 
-CurveSkeleton parse_json(std::string_view bytes, const std::string& name) {
+CurveSkeleton parse_json(std::string_view bytes, const Source& source) {
+  const std::string& name = source.name;
   const json file = parse_text(bytes, name);
-  check_version(file, name);
+  const std::uint64_t version = version_of(file, name);
   CurveSkeleton skeleton;
   for (const json& row : array_of(file, "nodes", name))
-    skeleton.nodes.push_back(node_of(row, name, skeleton.nodes.size()));
+    skeleton.nodes.push_back(node_of(row, version, name, skeleton.nodes.size()));
   std::size_t index = 0;
   for (const json& row : array_of(file, "edges", name))
     skeleton.edges.push_back(edge_of(row, skeleton.nodes.size(), name, index++));

@@ -15,7 +15,8 @@ NodeId node_of(const Lines& lines, std::size_t word, std::size_t nodes) {
 }
 
 void read_vertex(const Lines& lines, CurveSkeleton& skeleton) {
-  if (lines.words().size() != 5)
+  // With four words it is the file of others, who give no radius.
+  if (lines.words().size() != 4 && lines.words().size() != 5)
     lines.fail("a node is 'v x y z radius'; this line has " +
                std::to_string(lines.words().size() - 1) + " numbers");
   skeleton.nodes.push_back({{lines.number(1), lines.number(2), lines.number(3)}, lines.radius(4)});
@@ -51,9 +52,9 @@ std::string format_obj(const CurveSkeleton& skeleton) {
   return text;
 }
 
-CurveSkeleton parse_obj(std::string_view bytes, const std::string& name) {
+CurveSkeleton parse_obj(std::string_view bytes, const Source& source) {
   CurveSkeleton skeleton;
-  for (Lines lines(bytes, name); lines.next();) {
+  for (Lines lines(bytes, source); lines.next();) {
     const std::string_view key = lines.words()[0];
     if (key[0] == '#' || key == "o" || key == "g" || key == "s") continue;
     if (key == "v")

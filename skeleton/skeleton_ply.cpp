@@ -1,6 +1,7 @@
 // Ascii PLY with an element `edge`, as MeshLab and ParaView know it.
 #include <marrow/error.hpp>
 
+#include <algorithm>
 #include <array>
 
 #include "skeleton_text_detail.hpp"
@@ -64,9 +65,15 @@ std::vector<Element> read_header(Lines& lines, const std::string& name) {
   }
 }
 
+/// The place of the property in a row; behind the last one if there is none.
+std::size_t find_column(const Element& element, std::string_view property) {
+  const auto& all = element.properties;
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), property) - all.begin());
+}
+
 std::size_t column(const Lines& lines, const Element& element, std::string_view property) {
-  for (std::size_t i = 0; i < element.properties.size(); ++i)
-    if (element.properties[i] == property) return i;
+  const std::size_t found = find_column(element, property);
+  if (found < element.properties.size()) return found;
   lines.fail("the element '" + element.name + "' has no property '" + std::string(property) + "'");
 }
 
@@ -92,11 +99,15 @@ void check_width(const Lines& lines, const Element& element) {
 
 void read_vertices(Lines& lines, const Element& element, CurveSkeleton& skeleton) {
   const std::size_t x = column(lines, element, "x"), y = column(lines, element, "y"),
-                    z = column(lines, element, "z"), radius = column(lines, element, "radius");
+                    z = column(lines, element, "z"), radius = find_column(element, "radius"),
+                    section = find_column(element, "section_radius");
   for_each_row(lines, element, [&] {
     check_width(lines, element);
-    skeleton.nodes.push_back(
-        {{lines.number(x), lines.number(y), lines.number(z)}, lines.radius(radius)});
+    CurveSkeleton::Node node{{lines.number(x), lines.number(y), lines.number(z)},
+                             lines.radius(radius)};
+    if (section < lines.words().size())
+      node.section_radius = lines.section_radius(section, node.radius);
+    skeleton.nodes.push_back(node);
   });
 }
 
@@ -125,11 +136,17 @@ std::string format_ply(const CurveSkeleton& skeleton) {
   std::string text = "ply\nformat ascii 1.0\ncomment marrow curve-skeleton\nelement vertex ";
   append(text, std::uint64_t{skeleton.nodes.size()});
   text += "\nproperty double x\nproperty double y\nproperty double z\nproperty double radius\n";
+  const bool with_sections = has_section_radii(skeleton);
+  if (with_sections) text += "property double section_radius\n";
   text += "element edge ";
   append(text, std::uint64_t{skeleton.edges.size()});
   text += "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   for (const auto& node : skeleton.nodes) {
     append(text, node, " ");
+    if (with_sections) {
+      text += ' ';
+      append(text, node.section_radius);
+    }
     text += '\n';
   }
   for (const auto& e : skeleton.edges) {
@@ -141,9 +158,9 @@ std::string format_ply(const CurveSkeleton& skeleton) {
   return text;
 }
 
-CurveSkeleton parse_ply(std::string_view bytes, const std::string& name) {
-  Lines lines(bytes, name);
-  const std::vector<Element> elements = read_header(lines, name);
+CurveSkeleton parse_ply(std::string_view bytes, const Source& source) {
+  Lines lines(bytes, source);
+  const std::vector<Element> elements = read_header(lines, source.name);
   std::uint64_t nodes = 0;
   for (const Element& e : elements)
     if (e.name == "vertex") nodes += e.count;

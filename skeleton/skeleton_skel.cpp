@@ -1,5 +1,4 @@
 // The file of the paper's authors, which cinolib calls LIVESU2012.
-#include <algorithm>
 #include <utility>
 
 #include "skeleton_text_detail.hpp"
@@ -20,7 +19,7 @@ struct Link {
 
 struct Rows {
   CurveSkeleton skeleton;
-  std::vector<std::pair<std::int64_t, NodeId>> ids;  ///< ids of the file may have gaps
+  NodeIds ids;  ///< may have gaps
   std::vector<Link> links;
 };
 
@@ -36,7 +35,7 @@ void read_header(Lines& lines) {
 
 void read_row(const Lines& lines, Rows& rows) {
   const auto node = static_cast<NodeId>(rows.skeleton.nodes.size());
-  rows.ids.emplace_back(lines.integer(0), node);
+  rows.ids.add(lines.integer(0), lines.line());
   rows.skeleton.nodes.push_back(
       {{lines.number(1), lines.number(2), lines.number(3)}, lines.radius(4)});
   const std::uint64_t neighbours = lines.count(5);
@@ -47,30 +46,13 @@ void read_row(const Lines& lines, Rows& rows) {
     rows.links.push_back({node, lines.integer(i), lines.line()});
 }
 
-void connect(Rows& rows, const std::string& name) {
-  auto& ids = rows.ids;
-  std::sort(ids.begin(), ids.end());
-  const auto same_id = [](const auto& a, const auto& b) { return a.first == b.first; };
-  if (const auto twice = std::adjacent_find(ids.begin(), ids.end(), same_id); twice != ids.end())
-    fail(name, 2, "the id " + std::to_string(twice->first) + " is given twice");
+void connect(Rows& rows, const Source& source) {
+  rows.ids.sort(source);
   for (const Link& link : rows.links) {
-    const auto found = std::lower_bound(ids.begin(), ids.end(), std::pair{link.to, NodeId{0}});
-    if (found == ids.end() || found->first != link.to)
-      fail(name, link.line, "neighbour " + std::to_string(link.to) + " is no id of this file");
-    if (found->second == link.from) fail(name, link.line, "an edge from a node to itself");
-    rows.skeleton.edges.push_back({link.from, found->second});
+    const NodeId to = rows.ids.find(link.to, "neighbour", link.line, source);
+    if (to == link.from) fail(source.name, link.line, "an edge from a node to itself");
+    rows.skeleton.edges.push_back({link.from, to});
   }
-}
-
-/// Neighbours of every node, in the order of their ids.
-std::vector<std::vector<NodeId>> neighbours_of(const CurveSkeleton& skeleton) {
-  std::vector<std::vector<NodeId>> result(skeleton.nodes.size());
-  for (const auto& e : skeleton.edges) {
-    result[e[0]].push_back(e[1]);
-    result[e[1]].push_back(e[0]);
-  }
-  for (auto& list : result) std::sort(list.begin(), list.end());
-  return result;
 }
 
 }  // namespace
@@ -97,8 +79,8 @@ std::string format_skel(const CurveSkeleton& skeleton) {
   return text;
 }
 
-CurveSkeleton parse_skel(std::string_view bytes, const std::string& name) {
-  Lines lines(bytes, name);
+CurveSkeleton parse_skel(std::string_view bytes, const Source& source) {
+  Lines lines(bytes, source);
   read_header(lines);
   lines.expect("the count of nodes");
   if (lines.words().size() != 1) lines.fail("the second line is not the count of nodes");
@@ -112,7 +94,7 @@ CurveSkeleton parse_skel(std::string_view bytes, const std::string& name) {
     read_row(lines, rows);
   }
   if (lines.next()) lines.fail("the file goes on after its " + std::to_string(count) + " nodes");
-  connect(rows, name);
+  connect(rows, source);
   tidy_edges(rows.skeleton);
   return std::move(rows.skeleton);
 }

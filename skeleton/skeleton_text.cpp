@@ -13,16 +13,24 @@ namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-void split(std::string_view line, std::vector<std::string_view>& words) {
-  words.clear();
-  for (std::size_t i = 0; i < line.size();) {
-    const std::size_t begin = i;
-    if (is_blank(line[i])) {
-      ++i;
-      continue;
-    }
-    while (i < line.size() && !is_blank(line[i])) ++i;
-    words.push_back(line.substr(begin, i - begin));
+std::string_view trimmed(std::string_view word) {
+  while (!word.empty() && is_blank(word.front())) word.remove_prefix(1);
+  while (!word.empty() && is_blank(word.back())) word.remove_suffix(1);
+  return word;
+}
+
+/// Fields between separators, without blanks around them and without quotes; none of a blank line.
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+  fields.clear();
+  if (trimmed(line).empty()) return;
+  for (;;) {
+    const std::size_t end = line.find(separator);
+    std::string_view field = trimmed(line.substr(0, end));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
+      field = trimmed(field.substr(1, field.size() - 2));
+    fields.push_back(field);
+    if (end == std::string_view::npos) return;
+    line.remove_prefix(end + 1);
   }
 }
 
@@ -36,6 +44,27 @@ bool parse(std::string_view word, Number& value) {
 
 }  // namespace
 
+bool read_number(std::string_view word, double& value) {
+  return parse(word, value) && std::isfinite(value);
+}
+
+bool read_number(std::string_view word, std::int64_t& value) { return parse(word, value); }
+
+bool read_number(std::string_view word, std::uint64_t& value) { return parse(word, value); }
+
+void split(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t begin = i;
+    if (is_blank(line[i])) {
+      ++i;
+      continue;
+    }
+    while (i < line.size() && !is_blank(line[i])) ++i;
+    words.push_back(line.substr(begin, i - begin));
+  }
+}
+
 void fail(const std::string& name, std::size_t line, const std::string& what) {
   throw Error(ErrorKind::Malformed, name + ":" + std::to_string(line) + ": " + what);
 }
@@ -48,7 +77,25 @@ std::string quoted(std::string_view word) {
   return "'" + text + (word.size() > kLongest ? "...'" : "'");
 }
 
-Lines::Lines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {
+std::string check_radius(double& radius, bool is_given, const Source& source) {
+  if (!is_given && !(source.missing_radius > 0))
+    return "a node without a radius; give one for all that have none (marrow convert --radius R)";
+  if (!is_given) radius = source.missing_radius;
+  if (radius > 0) return "";
+  std::string number;
+  append(number, radius);
+  return "the radius " + quoted(number) + " is not greater than 0";
+}
+
+std::string check_section_radius(double section_radius, double radius) {
+  if (section_radius == 0 || section_radius >= radius) return "";
+  std::string number;
+  append(number, section_radius);
+  return "the section radius " + quoted(number) + " is neither 0 nor at least the radius";
+}
+
+Lines::Lines(std::string_view text, Source source, char separator)
+    : rest_(text), source_(std::move(source)), separator_(separator) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.substr(0, 3) == kByteOrderMark) rest_.remove_prefix(3);
 }
@@ -57,7 +104,10 @@ bool Lines::next() {
   while (!rest_.empty()) {
     ++line_;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    split(rest_.substr(0, end), words_);
+    if (separator_ == '\0')
+      split(rest_.substr(0, end), words_);
+    else
+      split_fields(rest_.substr(0, end), separator_, words_);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     if (!words_.empty()) return true;
   }
@@ -76,14 +126,22 @@ std::string_view Lines::word(std::size_t i) const {
 
 double Lines::number(std::size_t i) const {
   double value = 0;
-  if (!parse(word(i), value) || !std::isfinite(value))
-    fail(quoted(words_[i]) + " is not a finite number");
+  if (!read_number(word(i), value)) fail(quoted(words_[i]) + " is not a finite number");
   return value;
 }
 
 double Lines::radius(std::size_t i) const {
+  const bool is_given = i < words_.size();
+  double value = is_given ? number(i) : 0;
+  const std::string fault = check_radius(value, is_given, source_);
+  if (!fault.empty()) fail(fault);
+  return value;
+}
+
+double Lines::section_radius(std::size_t i, double radius) const {
   const double value = number(i);
-  if (!(value > 0)) fail("the radius " + quoted(words_[i]) + " is not greater than 0");
+  const std::string fault = check_section_radius(value, radius);
+  if (!fault.empty()) fail(fault);
   return value;
 }
 
@@ -99,10 +157,36 @@ std::int64_t Lines::integer(std::size_t i) const {
   return value;
 }
 
-void Lines::fail(const std::string& what) const { skeleton_detail::fail(name_, line_, what); }
+void Lines::fail(const std::string& what) const {
+  skeleton_detail::fail(source_.name, line_, what);
+}
 
 void Lines::check_edge(NodeId a, NodeId b) const {
   if (a == b) fail("an edge from a node to itself");
+}
+
+void NodeIds::add(std::int64_t id, std::size_t line) {
+  entries_.push_back({id, line, static_cast<NodeId>(entries_.size())});
+}
+
+void NodeIds::sort(const Source& source) {
+  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+    return std::pair{a.id, a.node} < std::pair{b.id, b.node};
+  });
+  for (std::size_t i = 1; i < entries_.size(); ++i)
+    if (entries_[i].id == entries_[i - 1].id)
+      skeleton_detail::fail(source.name, entries_[i].line,
+                            "the id " + std::to_string(entries_[i].id) + " is given twice");
+}
+
+NodeId NodeIds::find(std::int64_t id, const char* what, std::size_t line,
+                     const Source& source) const {
+  const auto found = std::lower_bound(entries_.begin(), entries_.end(), id,
+                                      [](const Entry& e, std::int64_t i) { return e.id < i; });
+  if (found == entries_.end() || found->id != id)
+    skeleton_detail::fail(source.name, line,
+                          what + (" " + std::to_string(id)) + " is no id of this file");
+  return found->node;
 }
 
 void tidy_edges(CurveSkeleton& skeleton) {
@@ -129,6 +213,11 @@ void append(std::string& text, const CurveSkeleton::Node& node, std::string_view
     text += separator;
   }
   append(text, node.radius);
+}
+
+bool has_section_radii(const CurveSkeleton& skeleton) {
+  return std::any_of(skeleton.nodes.begin(), skeleton.nodes.end(),
+                     [](const auto& node) { return node.section_radius != 0; });
 }
 
 }  // namespace marrow::skeleton_detail

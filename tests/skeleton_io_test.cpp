@@ -121,7 +121,10 @@ TEST_CASE("the files of others are read", "[skeleton_io]") {
 
 TEST_CASE("a malformed OBJ is refused with its line", "[skeleton_io]") {
   const auto error = [](const std::string& text) { return malformed(text, SkeletonFormat::Obj); };
-  CHECK(error("v 0 0 0\n") == "f:1: a node is 'v x y z radius'; this line has 3 numbers");
+  CHECK(error("v 0 0\n") == "f:1: a node is 'v x y z radius'; this line has 2 numbers");
+  CHECK(error("v 0 0 0\n") ==
+        "f:1: a node without a radius; give one for all that have none (marrow convert --radius "
+        "R)");
   CHECK(error("\nv 0 0 0 0\n") == "f:2: the radius '0' is not greater than 0");
   CHECK(error("v 0 0 0 -1\n") != "");
   CHECK(error("v 0 0 nan 1\n") == "f:1: 'nan' is not a finite number");
@@ -177,8 +180,10 @@ TEST_CASE("a malformed PLY is refused with its line", "[skeleton_io]") {
   CHECK(error("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty double x\n"
               "property double y\nproperty double z\nproperty double radius\nend_header\n") != "");
   CHECK(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
-              "property double z\nend_header\n0 0 0\n") ==
-        "f:7: the element 'vertex' has no property 'radius'");
+              "property double z\nend_header\n0 0 0\n")
+            .starts_with("f:8: a node without a radius"));
+  CHECK(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
+              "end_header\n0 0\n") == "f:6: the element 'vertex' has no property 'z'");
   CHECK(error_of("ply\nformat binary_little_endian 1.0\nend_header\n", SkeletonFormat::Ply,
                  ErrorKind::Unsupported) != "");
 }
@@ -206,7 +211,7 @@ TEST_CASE("a malformed JSON is refused with its place", "[skeleton_io]") {
   CHECK(error(json_of(two, "[[0, 4294967297]]")) != "");
   CHECK(error(json_of(two, "[[1, 1]]")) != "");
   CHECK(error(json_of(two, "[[0]]")) != "");
-  CHECK(error_of(R"({"format": "marrow-skeleton", "version": 2})", SkeletonFormat::Json,
+  CHECK(error_of(R"({"format": "marrow-skeleton", "version": 3})", SkeletonFormat::Json,
                  ErrorKind::Unsupported) != "");
 }
 

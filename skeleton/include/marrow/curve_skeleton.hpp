@@ -42,6 +42,12 @@ struct Branch {
 /// Number of edges at every node.
 std::vector<int> degrees(const CurveSkeleton& skeleton);
 
+/// Neighbours of every node, in the order of their ids.
+std::vector<std::vector<NodeId>> neighbours_of(const CurveSkeleton& skeleton);
+
+/// The connected piece of every node, counted from 0 in the order of their first nodes.
+std::vector<std::uint32_t> component_of_nodes(const CurveSkeleton& skeleton);
+
 /// Connected pieces.
 int component_count(const CurveSkeleton& skeleton);
 

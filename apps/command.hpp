@@ -13,6 +13,7 @@ namespace marrow {
 
 /// Each adds one verb; it runs at the end of CLI::App::parse() and throws marrow::Error.
 void add_extract_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_make_command(CLI::App& program);
@@ -45,7 +46,8 @@ InputFile read_input(const std::string& path, const std::string& from, const Rea
 bool is_skeleton(const InputFile& file);
 /// Throw Error: Unsupported, Malformed, Empty, Limit.
 Shape shape_of(const InputFile& file);
-CurveSkeleton skeleton_of(const InputFile& file);
+/// Nodes without a radius get `missing_radius` if it is greater than 0.
+CurveSkeleton skeleton_of(const InputFile& file, double missing_radius = 0);
 
 /// What --to says, else what the extension says. Throw Error: Usage ("-" without --to),
 /// Unsupported.

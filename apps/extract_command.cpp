@@ -132,14 +132,16 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
           "- is standard input")
       ->required()
       ->type_name("");
-  verb.add_option("-o,--output", request.out,
-                  "File for the skeleton: .obj .skel .ply .json; - is standard output")
+  verb.add_option(
+          "-o,--output", request.out,
+          "File for the skeleton: .skel .obj .ply .json .vtp .swc .graphml and others, see\n"
+          "marrow convert --help; - is standard output")
       ->required()
       ->type_name("OUT");
   add_format_option(verb, "--from", request.from, "Format of SHAPE, whatever its extension",
                     input_formats());
   add_format_option(verb, "--to", request.to, "Format of the output, whatever its extension",
-                    {"obj", "skel", "ply", "json"});
+                    skeleton_formats());
   add_extraction_options(verb, request.extraction);
   verb.add_option("--json", request.json,
                   "File for counts, options and times; - is standard output")

@@ -48,4 +48,8 @@ bool ply_is_skeleton(std::string_view bytes) {
   return has_edges && !has_faces;
 }
 
+bool csv_is_skeleton(std::string_view bytes) {
+  return take_line(bytes).find("neighbours") != std::string_view::npos;
+}
+
 }  // namespace marrow

@@ -18,9 +18,12 @@ namespace fs = std::filesystem;
 
 std::string name_of(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-/// The extension, without the one of gzip behind it: what is compressed shows in the bytes.
+/// The extension, without the one of gzip behind it: what is compressed shows in the bytes; and
+/// "polylines" for .polylines.txt.
 std::string format_of(const std::string& path) {
   const std::string extension = extension_of(path);
+  if (extension == "txt" && extension_of(path.substr(0, path.size() - 4)) == "polylines")
+    return "polylines";
   if (extension != "gz") return extension;
   const std::string inner = extension_of(path.substr(0, path.size() - 3));
   return inner.empty() ? extension : inner;
@@ -29,6 +32,10 @@ std::string format_of(const std::string& path) {
 /// What parse_shape() reads.
 std::vector<std::string> shape_formats() {
   return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// A name that the format functions of the library understand.
@@ -91,7 +98,8 @@ std::vector<std::string> input_formats() {
 
 std::vector<std::string> input_and_skeleton_formats() {
   std::vector<std::string> formats = input_formats();
-  formats.insert(formats.end(), {"skel", "json"});
+  for (const std::string& format : readable_skeleton_formats())
+    if (!contains(formats, format)) formats.push_back(format);
   return formats;
 }
 
@@ -107,16 +115,15 @@ InputFile read_input(const std::string& path, const std::string& from, const Rea
 }
 
 bool is_skeleton(const InputFile& file) {
-  if (file.format == "skel" || file.format == "json") return true;
   if (file.format == "obj") return obj_is_skeleton(file.bytes);
   if (file.format == "ply") return ply_is_skeleton(file.bytes);
-  return false;
+  if (file.format == "csv") return csv_is_skeleton(file.bytes);
+  return contains(readable_skeleton_formats(), file.format);
 }
 
 Shape shape_of(const InputFile& file) {
   if (is_imported(file)) return imported_shape(file);
-  const std::vector<std::string> known = shape_formats();
-  if (std::find(known.begin(), known.end(), file.format) == known.end())
+  if (!contains(shape_formats(), file.format))
     throw Error(ErrorKind::Unsupported,
                 file.name +
                     ": shapes are OBJ, PLY, STL, OFF, XYZ or PCD files; convert it, or name its "
@@ -128,13 +135,14 @@ Shape shape_of(const InputFile& file) {
   }
 }
 
-CurveSkeleton skeleton_of(const InputFile& file) {
-  const bool known = file.format == "obj" || file.format == "skel" || file.format == "ply" ||
-                     file.format == "json";
-  if (!known)
+CurveSkeleton skeleton_of(const InputFile& file, double missing_radius) {
+  if (!contains(skeleton_formats(), file.format))
     throw Error(ErrorKind::Unsupported,
-                file.name + ": curve-skeletons are OBJ, SKEL, PLY or JSON files");
-  return parse_skeleton(file.bytes, skeleton_format_of(as_path(file.format)), file.name);
+                file.name +
+                    ": no curve-skeleton by its extension; convert it, or name its format "
+                    "by --from");
+  const SkeletonFormat format = skeleton_format_of(as_path(file.format));
+  return parse_skeleton(file.bytes, format, file.name, missing_radius);
 }
 
 ShapeFormat output_shape_format(const std::string& path, const std::string& to) {

@@ -42,8 +42,8 @@ void add_info_command(CLI::App& program) {
   verb->add_option(
           "FILE", request->file,
           "Shape (.obj .ply .stl .off), point cloud (.xyz .pts .txt .asc .csv .pcd .ply), volume\n"
-          "(.nrrd .nhdr .nii .binvox .raw, .nii.gz .raw.gz) or skeleton (.obj .skel .ply .json);\n"
-          "- is standard input")
+          "(.nrrd .nhdr .nii .binvox .raw, .nii.gz .raw.gz) or skeleton (all that marrow convert\n"
+          "reads); - is standard input")
       ->required()
       ->type_name("");
   add_format_option(*verb, "--from", request->from, "Format of FILE, whatever its extension",

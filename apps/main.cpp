@@ -18,6 +18,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  marrow make quadruped -o animal.obj         a shape to begin with\n"
     "  marrow extract animal.obj -o animal.skel    its curve-skeleton\n"
+    "  marrow convert animal.skel animal.vtp       the same for ParaView\n"
     "  marrow info animal.skel                     what is in it\n"
     "  marrow check animal.obj animal.skel         how good it is\n"
     "  marrow render animal.obj animal.skel -o animal.png\n"
@@ -33,6 +34,7 @@ void set_up(CLI::App& program) {
   program.set_version_flag("--version", version_text, "Versions of marrow and its libraries");
   program.require_subcommand(1);
   add_extract_command(program);
+  add_convert_command(program);
   add_info_command(program);
   add_check_command(program);
   add_make_command(program);

@@ -84,9 +84,10 @@ void add_make_command(CLI::App& program) {
       ->type_name("FILE");
   add_format_option(*verb, "--to", request->to, "Format of the output, whatever its extension",
                     {"obj", "ply", "stl", "off", "nrrd"});
-  verb->add_option("--truth", request->truth,
-                   "File for its exact skeleton: .obj .skel .ply .json, or .gt.json with the "
-                   "counts to expect and whole branches")
+  verb->add_option(
+          "--truth", request->truth,
+          "File for its exact skeleton: .obj .skel .ply .json and others, or .gt.json with the "
+          "counts to expect and whole branches")
       ->type_name("FILE");
   verb->add_option("--resolution", request->resolution, "Factor on the number of faces")
       ->type_name("0.5..50")

@@ -70,7 +70,7 @@ void add_render_command(CLI::App& program) {
           ".binvox .raw, .nii.gz .raw.gz), or -")
       ->required()
       ->type_name("");
-  verb->add_option("SKELETON", request->skeleton, "Skeleton: .obj .skel .ply .json, or -")
+  verb->add_option("SKELETON", request->skeleton, "Skeleton: all that marrow convert reads, or -")
       ->required()
       ->type_name("");
   verb->add_option("-o,--output", request->out, "The picture: .png, or -")

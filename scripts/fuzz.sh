@@ -28,7 +28,7 @@ make_seeds() {
   for extension in obj ply stl off; do
     "$marrow" make capsule --resolution 0.5 -o "$seeds/capsule.$extension"
   done
-  for extension in obj skel ply json; do
+  for extension in obj skel ply json cg graph swc polylines.txt vtp graphml csv; do
     "$marrow" make star -o "$seeds/star.ply" --truth "$seeds/star.skeleton.$extension"
   done
   find ../shared/badinputs ../shared/meshes -type f -size -100k -exec cp -t "$seeds" {} + \
@@ -37,7 +37,7 @@ make_seeds() {
 
 # The words in quotes of the tests of readers and writers, as a dictionary of libFuzzer.
 make_dictionary() {
-  grep -ohE '"([^"\\]|\\[nrt"])+"' tests/shape_*_test.cpp tests/skeleton_io_test.cpp |
+  grep -ohE '"([^"\\]|\\[nrt"])+"' tests/shape_*_test.cpp tests/skeleton_*_test.cpp |
     sed 's/\\n/\\x0A/g; s/\\r/\\x0D/g; s/\\t/\\x09/g' | LC_ALL=C sort -u
 }
 

@@ -34,6 +34,7 @@ case "${1-}" in
   --dev)
     packages+=("${optional[@]}" clang-format clang-tidy shellcheck python3-pyflakes valgrind)
     packages+=(libbenchmark-dev doxygen)
+    packages+=(graphviz python3-networkx assimp-utils)   # readers of what marrow convert writes
     ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
   --fuzz)

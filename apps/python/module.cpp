@@ -115,6 +115,8 @@ const char* name_of(ErrorKind kind) {
       return "limit";
     case ErrorKind::CannotWrite:
       return "cannot write";
+    case ErrorKind::CheckFailed:
+      return "check failed";
   }
   return "internal";
 }

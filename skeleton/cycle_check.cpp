@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -50,6 +51,8 @@ class CycleCheck {
         surface_(shape),
         voxel_(voxel),
         outside_(static_cast<std::size_t>(smooth_.link_count())),
+        bridge_(outside_.size(), false),
+        place_of_(outside_.size()),
         verdicts_(outside_.size()) {}
 
   VoteGraph cut() {
@@ -75,53 +78,70 @@ class CycleCheck {
     smooth_.cut(link);
   }
 
-  std::optional<double>& outside(int l) { return outside_[static_cast<std::size_t>(l)]; }
+  std::optional<LineOutside>& outside(int l) { return outside_[static_cast<std::size_t>(l)]; }
   CycleVerdict& verdict(int l) { return verdicts_[static_cast<std::size_t>(l)]; }
 
   void forget(int changed) {
     outside(changed).reset();
+    take_out(changed);
     for (auto& v : verdicts_)
       if (std::find(v.cycle.begin(), v.cycle.end(), changed) != v.cycle.end()) v.cycle.clear();
   }
 
-  /// The link that runs farthest outside, if any does.
+  /// The link that runs farthest outside, if any does. What a link may be out by at most puts it in
+  /// its place, and only the first is asked for more.
   std::optional<int> farthest_outside(bool bridges_too) {
-    const auto bridge = smooth_.bridges();
+    place_changed(bridges_too);
+    while (!places_.empty()) {
+      const int first = places_.begin()->second;
+      if (outside(first)->is_known()) return first;
+      outside(first)->ask(surface_, voxel_);
+      place(first);
+    }
+    return {};
+  }
+
+  /// Places the links that are new, or have become bridges.
+  void place_changed(bool bridges_too) {
+    const auto before = std::exchange(bridge_, smooth_.bridges());
     std::vector<int> links;
     for (int l = 0; l < smooth_.link_count(); ++l) {
-      const bool is_bridge = bridge[static_cast<std::size_t>(l)];
-      if (is_bridge && !bridges_too) continue;
-      if (can_be_cut(smooth_.link(l), is_bridge)) links.push_back(l);
+      if (!smooth_.link(l).alive) continue;
+      if (outside(l) && before[static_cast<std::size_t>(l)] == is_bridge(l)) continue;
+      take_out(l);
+      if (is_bridge(l) && !bridges_too) continue;
+      if (can_be_cut(smooth_.link(l), is_bridge(l))) links.push_back(l);
     }
-    ask_where_outside(links);
-    std::optional<int> worst;
-    double farthest = 0;
-    for (const int l : links) {
-      const double away = *outside(l);
-      const bool weak =
-          !bridge[static_cast<std::size_t>(l)] && smooth_.least_support(l) < kWeakSupport;
-      if (away <= (weak ? 0 : kGrazingVoxels) || away > kHollowVoxels) continue;
-      if (away > farthest) farthest = away, worst = l;
-    }
-    return worst;
+    sample(links);
+    for (const int l : links) place(l);
   }
+
+  void place(int l) {
+    take_out(l);
+    const double away = outside(l)->at_most() / voxel_;
+    const bool is_weak = !is_bridge(l) && smooth_.least_support(l) < kWeakSupport;
+    const bool is_hollow = outside(l)->is_known() && away > kHollowVoxels;
+    if (away <= (is_weak ? 0 : kGrazingVoxels) || is_hollow) return;
+    place_of_[static_cast<std::size_t>(l)] = away;
+    places_.insert({-away, l});
+  }
+
+  void take_out(int l) {
+    auto& away = place_of_[static_cast<std::size_t>(l)];
+    if (away) places_.erase({-*away, l});
+    away.reset();
+  }
+
+  bool is_bridge(int l) const { return bridge_[static_cast<std::size_t>(l)]; }
 
   bool can_be_cut(const BranchGraph::Link& link, bool is_bridge) const {
     if (!link.alive || smooth_.is_ring(link)) return false;
     return !is_bridge || (smooth_.is_joint(link.a) && smooth_.is_joint(link.b));
   }
 
-  /// How far these links run outside, in voxels, for those of which it is not known.
-  void ask_where_outside(std::vector<int> links) {
+  /// Asks the surface along those of these links that are not known, at once.
+  void sample(std::vector<int> links) {
     std::erase_if(links, [&](int l) { return outside(l).has_value(); });
-    const auto lines = sample_lines(links);
-    for (std::size_t i = 0; i < links.size(); ++i)
-      outside(links[i]) =
-          farthest_excursion(lines[i], surface_, voxel_, kHollowVoxels * voxel_) / voxel_;
-  }
-
-  /// Samples along all of these links, asked at once.
-  std::vector<std::vector<LineSample>> sample_lines(const std::vector<int>& links) const {
     std::vector<Vec3> points;
     std::vector<std::size_t> ends;
     for (const int l : links) {
@@ -133,10 +153,11 @@ class CycleCheck {
       ends.push_back(points.size());
     }
     const auto sides = surface_.of(points);
-    std::vector<std::vector<LineSample>> lines(links.size());
-    for (std::size_t i = 0, p = 0; i < links.size(); ++i)
-      for (; p < ends[i]; ++p) lines[i].push_back({points[p], sides[p]});
-    return lines;
+    for (std::size_t i = 0, p = 0; i < links.size(); ++i) {
+      std::vector<LineSample> samples;
+      for (; p < ends[i]; ++p) samples.push_back({points[p], sides[p]});
+      outside(links[i]).emplace(samples, kHollowVoxels * voxel_);
+    }
   }
 
   std::optional<int> least_supported_contractible() {
@@ -200,8 +221,11 @@ class CycleCheck {
   BranchGraph graph_, smooth_;
   SurfaceSides surface_;
   double voxel_;
-  std::vector<std::optional<double>> outside_;  // of every link, where it is known
-  std::vector<CycleVerdict> verdicts_;          // of every link's shortest cycle
+  std::vector<std::optional<LineOutside>> outside_;  // of every link, where it is known
+  std::vector<bool> bridge_;
+  std::vector<std::optional<double>> place_of_;
+  std::set<std::pair<double, int>> places_;  // of links that may be outside: how far, negated
+  std::vector<CycleVerdict> verdicts_;       // of every link's shortest cycle
 };
 
 }  // namespace

@@ -14,12 +14,6 @@ namespace {
 constexpr double kDetourVoxels = 1;  // how far beyond the excursion's clearance a detour may run
 constexpr double kDetourCell = 0.5;  // voxels: gaps between limbs are found down to this
 
-/// A piece outside the surface, with the last sample before it and the first after it.
-struct Excursion {
-  std::vector<Vec3> samples;
-  double clearance = 0;  // greatest on the way
-};
-
 std::vector<Excursion> excursions(std::span<const LineSample> samples) {
   const auto outside = [&](std::size_t i) { return samples[i].surface.side == Side::Outside; };
   std::vector<Excursion> result;
@@ -62,30 +56,31 @@ VoxelSet cells_near(const VoxelGrid& grid, std::span<const Vec3> points, double 
     const auto [x0, x1] = range(at.x, grid.nx);
     const auto [y0, y1] = range(at.y, grid.ny);
     const auto [z0, z1] = range(at.z, grid.nz);
-    for (int z = z0; z <= z1; ++z)
-      for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x) {
-          const auto c = grid.index(x, y, z);
-          if (squared_length(grid.center(c) - p) <= reach * reach) near.insert(c);
-        }
+    for (int z = z0; z <= z1; ++z) {
+      for (int y = y0; y <= y1; ++y) {
+        const auto is_far = [&](int x) {
+          return squared_length(grid.center(grid.index(x, y, z)) - p) > reach * reach;
+        };
+        int first = x0, last = x1;
+        while (first <= last && is_far(first)) ++first;
+        while (last > first && is_far(last)) --last;
+        VoxelSet::Word* row = near.row(static_cast<std::size_t>(y + grid.ny * z));
+        for (int x = first; x <= last; ++x) row[x / 64] |= VoxelSet::Word{1} << (x % 64);
+      }
+    }
   }
   return near;
 }
 
-/// Cells inside the surface within `reach` of the points.
-VoxelSet inside_cells(const VoxelGrid& grid, std::span<const Vec3> points,
-                      const SurfaceSides& surface, double reach) {
-  VoxelSet inside = cells_near(grid, points, reach);
-  std::vector<std::uint32_t> cells;
+/// Leaves those of the cells that lie inside the surface.
+void keep_inside(const VoxelGrid& grid, std::vector<std::uint32_t>& cells, SurfaceSides& surface) {
   std::vector<Vec3> centres;
-  inside.for_each([&](std::uint32_t c) {
-    cells.push_back(c);
-    centres.push_back(grid.center(c));
-  });
+  for (const auto c : cells) centres.push_back(grid.center(c));
   const auto sides = surface.of(centres);
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (sides[i].side != Side::Inside) inside.erase(cells[i]);
-  return inside;
+    if (sides[i].side == Side::Inside) cells[kept++] = cells[i];
+  cells.resize(kept);
 }
 
 /// Calls visit(index) for the 26 neighbours of a cell that lie in the grid.
@@ -99,43 +94,53 @@ void for_neighbours(const VoxelGrid& g, std::uint32_t cell, Visit visit) {
           visit(g.index(x + dx, y + dy, z + dz));
 }
 
-/// Whether a way through the cells leads from one end of an excursion to the other. Takes the cells
-/// that it visits out.
-bool leads_through(const VoxelGrid& grid, VoxelSet& cells, const Vec3& from, const Vec3& to) {
+/// Whether a way through the cells that lie inside the surface leads from one end of an excursion
+/// to the other. Takes the cells that it comes to out, and asks the surface of no others.
+bool leads_through(const VoxelGrid& grid, VoxelSet& cells, SurfaceSides& surface, const Vec3& from,
+                   const Vec3& to) {
   const auto touches = [&](std::uint32_t c, const Vec3& end) {
     return squared_length(grid.center(c) - end) <= 3 * grid.size * grid.size;
   };
-  std::vector<std::uint32_t> visited;
+  std::vector<std::uint32_t> reached;
   cells.for_each([&](std::uint32_t c) {
-    if (touches(c, from)) visited.push_back(c);
+    if (touches(c, from)) reached.push_back(c);
   });
-  for (const auto c : visited) cells.erase(c);
-  for (std::size_t k = 0; k < visited.size(); ++k) {
-    if (touches(visited[k], to)) return true;
-    for_neighbours(grid, visited[k], [&](std::uint32_t n) {
-      if (cells[n]) cells.erase(n), visited.push_back(n);
-    });
+  for (const auto c : reached) cells.erase(c);
+  while (!reached.empty()) {
+    keep_inside(grid, reached, surface);
+    std::vector<std::uint32_t> next;
+    for (const auto c : reached) {
+      if (touches(c, to)) return true;
+      for_neighbours(grid, c, [&](std::uint32_t n) {
+        if (cells[n]) cells.erase(n), next.push_back(n);
+      });
+    }
+    reached = std::move(next);
   }
   return false;
 }
 
-bool has_detour_inside(const Excursion& e, const SurfaceSides& surface, double voxel) {
+bool has_detour_inside(const Excursion& e, SurfaceSides& surface, double voxel) {
   const double reach = e.clearance + kDetourVoxels * voxel;
   const VoxelGrid grid = grid_around(e.samples, reach, kDetourCell * voxel);
-  VoxelSet inside = inside_cells(grid, e.samples, surface, reach);
-  return leads_through(grid, inside, e.samples.front(), e.samples.back());
+  VoxelSet near = cells_near(grid, e.samples, reach);
+  return leads_through(grid, near, surface, e.samples.front(), e.samples.back());
 }
 
 }  // namespace
 
-double farthest_excursion(std::span<const LineSample> samples, const SurfaceSides& surface,
-                          double voxel, double hollow) {
-  double farthest = 0;
-  for (const auto& e : excursions(samples)) {
-    if (e.clearance <= farthest) continue;
-    if (e.clearance > hollow || !has_detour_inside(e, surface, voxel)) farthest = e.clearance;
-  }
-  return farthest;
+LineOutside::LineOutside(std::span<const LineSample> samples, double hollow)
+    : pieces_(excursions(samples)), hollow_(hollow) {
+  std::stable_sort(pieces_.begin(), pieces_.end(), [](const Excursion& a, const Excursion& b) {
+    return a.clearance < b.clearance;
+  });
+  counts_ = at_most() > hollow_;
+}
+
+void LineOutside::ask(SurfaceSides& surface, double voxel) {
+  if (is_known()) return;
+  counts_ = !has_detour_inside(pieces_.back(), surface, voxel);
+  if (!counts_) pieces_.pop_back();
 }
 
 }  // namespace marrow

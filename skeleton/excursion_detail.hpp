@@ -14,10 +14,31 @@ struct LineSample {
   PointSide surface;
 };
 
-/// How far from the surface the line through `samples` gets where it runs outside; 0 where it does
-/// not, or where the ends of a piece outside are connected inside the shape within a voxel of it. A
-/// piece that gets beyond `hollow` is not asked for a detour.
-double farthest_excursion(std::span<const LineSample> samples, const SurfaceSides& surface,
-                          double voxel, double hollow);
+/// A piece of a line outside the surface, with the last sample before it and the first after it.
+struct Excursion {
+  std::vector<Vec3> samples;
+  double clearance = 0;  ///< greatest on the way
+};
+
+/// How far from the surface a line gets where it runs outside, found out as far as one asks: a
+/// piece whose ends are connected inside the shape within a voxel of it does not count, and to know
+/// that takes long.
+class LineOutside {
+ public:
+  /// A piece that gets beyond `hollow` counts, whatever there is around it.
+  LineOutside(std::span<const LineSample> samples, double hollow);
+
+  /// Not less than how far it gets; 0 where no piece counts.
+  double at_most() const { return pieces_.empty() ? 0 : pieces_.back().clearance; }
+  /// Whether it gets that far.
+  bool is_known() const { return counts_ || pieces_.empty(); }
+  /// Asks for the piece that at_most() comes from.
+  void ask(SurfaceSides& surface, double voxel);
+
+ private:
+  std::vector<Excursion> pieces_;  // the farthest one last
+  double hollow_;
+  bool counts_ = false;  // the last one
+};
 
 }  // namespace marrow

@@ -238,7 +238,7 @@ TEST_CASE("a point asked alone hears the same as among many", "[surface_sides]")
     Shape shape = make_ellipsoid({0.3, 0.25, 0.2}, levels);
     add_box(shape, {-0.99, -0.04, -0.2}, {0.7, 0.3, 0.1});
     const NormalizedShape normalized_shape = as_normalized(shape);
-    const SurfaceSides surface(normalized_shape);
+    SurfaceSides surface(normalized_shape);
     Random random(levels < 4 ? 5 : 6);
     std::vector<Vec3> points;
     for (int i = 0; i < 3000; ++i) points.push_back(random.vector() * 0.35);

@@ -1,0 +1,81 @@
+// The triangles of a surface sorted into columns along the three axes, for lines through points.
+#pragma once
+
+#include <marrow/normalization.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace marrow {
+
+constexpr std::int64_t kLatticeSteps = 1 << 18;  // to a unit: products of three coordinates fit
+
+/// Coordinates in steps of the lattice.
+using LatticePoint = std::array<std::int32_t, 3>;
+using LatticeTriangle = std::array<LatticePoint, 3>;
+
+LatticePoint snap_to_lattice(const Vec3& p);
+
+/// Square cells of 2^shift lattice steps over the whole frame.
+struct ColumnCells {
+  int shift = 0, count = 0;  // along a side: coordinates run from -1 to 1 and a little more
+
+  /// Cells of 2^shift steps.
+  static ColumnCells of_size(int shift);
+
+  int of(std::int32_t coordinate) const { return (coordinate >> shift) + count / 2; }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * count + x); }
+  std::size_t all() const { return index(0, count); }
+};
+
+/// Only the columns around the points asked for are filled, for a skeleton goes through few of them
+/// and a surface may be large.
+class SurfaceColumns {
+ public:
+  /// `shape` must outlive this.
+  explicit SurfaceColumns(const NormalizedShape& shape);
+
+  /// Fills the columns that lines through `points` run along, unless they are.
+  void cover(std::span<const LatticePoint> points);
+
+  /// Calls visit(triangle) for all triangles that the line along `axis` through a point may meet,
+  /// and some others. cover() must have had the point.
+  template <class Visit>
+  void for_each_near(const LatticePoint& p, std::size_t axis, Visit visit) const {
+    const std::int32_t u = p[(axis + 1) % 3], v = p[(axis + 2) % 3];
+    for (const auto& level : levels_) {
+      if (level.triangle[axis].empty()) continue;
+      const std::size_t cell = level.cells.index(level.cells.of(u), level.cells.of(v));
+      const auto& start = level.start[axis];
+      for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i)
+        visit(triangles_[level.triangle[axis][i]]);
+    }
+  }
+
+ private:
+  using Mask = std::vector<std::uint8_t>;  // over the cells across one axis
+
+  /// Triangles of about the size of its cells, and smaller ones in the finest.
+  struct Level {
+    ColumnCells cells;
+    std::array<Mask, 3> filled;
+    std::array<std::vector<std::uint32_t>, 3> start, triangle;  // lists of all cells, end to end
+  };
+
+  void fill();
+  void gather_triangles();
+  void sort_into(Level& level, std::size_t axis);
+  const ColumnCells& finest() const { return levels_.front().cells; }
+
+  const NormalizedShape& shape_;
+  int margin_ = 0;  // cells filled around those asked for
+  std::array<Mask, 3> asked_;
+  std::vector<Level> levels_;  // the finest first, each four times as coarse as the one before
+  std::vector<LatticeTriangle> triangles_;
+  std::vector<std::uint8_t> level_of_;  // of each of them and each axis
+};
+
+}  // namespace marrow

@@ -2,15 +2,15 @@
 #include <marrow/error.hpp>
 #include <marrow/normalization.hpp>
 #include <marrow/point_spacing.hpp>
+#include <marrow/prescale.hpp>
+#include <marrow/shape_check.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 #include "closure_detail.hpp"
 #include "lattice_surface_detail.hpp"
-#include "prescale_detail.hpp"
 #include "principal_frame_detail.hpp"
-#include "shape_check_detail.hpp"
 #include "used_points_detail.hpp"
 
 namespace marrow {

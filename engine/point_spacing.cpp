@@ -1,5 +1,7 @@
 #include <marrow/bounds.hpp>
 #include <marrow/point_spacing.hpp>
+#include <marrow/prescale.hpp>
+#include <marrow/shape_check.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -7,8 +9,6 @@
 
 #include "neighbour_distance_detail.hpp"
 #include "place_table_detail.hpp"
-#include "prescale_detail.hpp"
-#include "shape_check_detail.hpp"
 
 namespace marrow {
 

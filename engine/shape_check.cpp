@@ -1,10 +1,9 @@
 #include <marrow/error.hpp>
+#include <marrow/shape_check.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "shape_check_detail.hpp"
 
 namespace marrow {
 

@@ -1,5 +1,6 @@
 #include <marrow/disjoint_sets.hpp>
 #include <marrow/shape_summary.hpp>
+#include <marrow/weld.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "place_table_detail.hpp"
 #include "used_points_detail.hpp"
 
 namespace marrow {
@@ -16,18 +16,9 @@ namespace {
 
 using PlaceId = std::uint32_t;
 
-/// For every point the first one that stands at the same place.
-std::vector<PlaceId> weld(const std::vector<Vec3>& points) {
-  PlaceTable places(points.size());
-  std::vector<PlaceId> place(points.size());
-  for (PlaceId i = 0; i < place.size(); ++i)
-    place[i] = places.number_at(points[i], i, [&](PlaceId k) { return points[k]; });
-  return place;
-}
-
 /// Triangles between places, without those that are flat.
 std::vector<Triangle> welded_triangles(const Shape& shape) {
-  const std::vector<PlaceId> place = weld(shape.points);
+  const std::vector<PlaceId> place = welded_points(shape.points);
   std::vector<Triangle> result;
   result.reserve(shape.triangles.size());
   for (const Triangle& t : shape.triangles) {

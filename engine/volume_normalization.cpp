@@ -1,11 +1,11 @@
 #include <marrow/bounds.hpp>
 #include <marrow/error.hpp>
 #include <marrow/normalization.hpp>
+#include <marrow/prescale.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "prescale_detail.hpp"
 #include "principal_frame_detail.hpp"
 #include "voxel_moments_detail.hpp"
 

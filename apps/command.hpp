@@ -17,6 +17,7 @@ void add_convert_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_make_command(CLI::App& program);
+void add_map_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 
 /// Version of the program and of the libraries in it, a line each.

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "extraction.hpp"
 #include "limits.hpp"
+#include "map_file.hpp"
 #include "progress.hpp"
 #include "statistics.hpp"
 #include "trace.hpp"
@@ -18,7 +19,7 @@ namespace marrow {
 namespace {
 
 struct ExtractRequest {
-  std::string shape, from, out, to, json, trace;
+  std::string shape, from, out, to, json, map, trace;
   ExtractionRequest extraction;
   Limits limits;
   bool quiet = false;
@@ -93,6 +94,7 @@ void warn_of_lost_nodes(const CurveSkeleton& skeleton, SkeletonFormat format) {
 void check_request(const ExtractRequest& request) {
   std::vector<std::string> outputs{request.out};
   if (!request.json.empty()) outputs.push_back(request.json);
+  if (!request.map.empty()) outputs.push_back(request.map);
   check_outputs(outputs, {request.shape});
   if (!request.trace.empty()) check_folder(request.trace);
 }
@@ -102,6 +104,8 @@ void run_extract(const ExtractRequest& request) {
   check_request(request);
   set_simd_target(request.extraction.simd);
   const SkeletonFormat format = output_skeleton_format(request.out, request.to);
+  const bool with_map = !request.map.empty();
+  const MapFormat map_format = with_map ? map_format_of(request.map) : MapFormat::Csv;
   Progress progress(request.quiet);
   progress.begin("read", 0);
   InputFile input = read_input(request.shape, request.from, request.limits.read);
@@ -112,9 +116,12 @@ void run_extract(const ExtractRequest& request) {
   Extraction extraction =
       std::visit([&](const auto& any) { return run_stages(request, input, any, progress); }, shape);
   const CurveSkeleton skeleton = kept_parts(request.extraction, std::move(extraction.skeleton));
-  const std::vector<StageTime> times = progress.finish();
-
   std::vector<OutputFile> files = std::move(extraction.trace);
+  if (with_map) {
+    progress.begin("map", 1);
+    files.push_back({request.map, map_file(shape, skeleton, map_format)});
+  }
+  const std::vector<StageTime> times = progress.finish();
   if (with_json)
     files.push_back({request.json, to_json(describe(request, about_input, skeleton, times))});
   files.push_back({request.out, format_skeleton(skeleton, format)});
@@ -145,6 +152,11 @@ void add_options(CLI::App& verb, ExtractRequest& request) {
   add_extraction_options(verb, request.extraction);
   verb.add_option("--json", request.json,
                   "File for counts, options and times; - is standard output")
+      ->type_name("FILE");
+  verb.add_option(
+          "--map", request.map,
+          "File for the node, branch and part of every point or voxel of SHAPE: .csv .json,\n"
+          "or .ply, which is coloured by branch")
       ->type_name("FILE");
   verb.add_option("--trace", request.trace, "Folder for pictures and graphs of every stage")
       ->type_name("DIR");

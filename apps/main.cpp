@@ -38,6 +38,7 @@ void set_up(CLI::App& program) {
   add_info_command(program);
   add_check_command(program);
   add_make_command(program);
+  add_map_command(program);
   add_render_command(program);
 }
 

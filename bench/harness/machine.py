@@ -36,6 +36,13 @@ def build(*targets):
         die("the build failed; scripts/setup.sh --bench installs what it needs")
 
 
+def run(command):
+    """Runs a program that must not fail."""
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
+    if done.returncode:
+        die(f"{' '.join(command)} failed: {done.stderr.strip()}")
+
+
 def program(name):
     return str(_folders["build"] / "bin" / name)
 

@@ -53,6 +53,13 @@ void add_extraction_options(CLI::App& verb, ExtractionRequest& request) {
       ->check(CLI::IsMember({"scanline", "embree"}).description(""))
       ->type_name("scanline|embree")
       ->capture_default_str();
+  verb.add_option("--refine", request.refine,
+                  "End with the paper's smoothing and radii of matches, with radii of the visual\n"
+                  "hull, or with lines and radii put right on the surface; clouds and volumes\n"
+                  "end with the hull")
+      ->check(CLI::IsMember({"none", "hull", "surface"}).description(""))
+      ->type_name("none|hull|surface")
+      ->capture_default_str();
   const auto largest =
       verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
   verb.add_option("--min-part", request.min_part,
@@ -76,6 +83,8 @@ ExtractOptions options_of(const ExtractionRequest& request) {
   options.closing = request.closing;
   options.grid_resolution = request.grid;
   if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
+  if (request.refine == "none") options.refinement = Refinement::None;
+  if (request.refine == "hull") options.refinement = Refinement::Hull;
   options.max_threads = request.threads;
   return options;
 }
@@ -93,6 +102,7 @@ Statistics describe(const ExtractionRequest& request, bool is_volume) {
   s["grid"] = request.grid;
   s["closing"] = request.closing;
   s["silhouettes"] = request.silhouettes;
+  s["refine"] = request.refine;
   s["largest"] = request.largest;
   s["min_part"] = request.min_part;
   return s;

@@ -20,6 +20,7 @@ struct ExtractionRequest {
   double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
   std::string silhouettes = "scanline";
+  std::string refine = "surface";
   bool largest = false;
   double min_part = 0;  ///< percent
   int threads = 0;

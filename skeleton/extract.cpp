@@ -10,6 +10,7 @@
 #include <marrow/nearest_sample.hpp>
 #include <marrow/perceptual_core.hpp>
 #include <marrow/point_spacing.hpp>
+#include <marrow/refinement.hpp>
 #include <marrow/region_growing.hpp>
 #include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
@@ -202,26 +203,40 @@ VoteGraph middle_line(const NormalizedShape& shape, const Projections& projectio
 
 /// The silhouettes of a cloud keep within the shape, and so does the hull: the radius is that up to
 /// the nearest point where that is more, but not where points are missing.
-void widen_to_samples(VoteGraph& graph, const NormalizedShape& cloud) {
+void widen_to_samples(CurveSkeleton& skeleton, const NormalizedShape& cloud) {
   const double most = median_spacing(cloud);
   std::vector<Vec3> places;
-  for (const auto& n : graph.nodes) places.push_back(n.position);
+  for (const auto& n : skeleton.nodes) places.push_back(n.position);
   const std::vector<double> distances = nearest_samples(cloud, places);
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    double& radius = graph.nodes[i].radius;
+    double& radius = skeleton.nodes[i].radius;
     radius = std::clamp(distances[i], radius, radius + most);
   }
 }
 
-VoteGraph with_hull_radii(VoteGraph graph, const NormalizedShape& shape,
-                          std::span<const StereoImages> views, double pixel, double voxel) {
-  const Projections projections(views);
-  if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
-  for (auto& n : graph.nodes)
+CurveSkeleton with_hull_radii(CurveSkeleton skeleton, const NormalizedShape& shape,
+                              const Projections& projections, double pixel) {
+  for (auto& n : skeleton.nodes)
     n.radius = std::max(hull_radius(n.position, projections), 0.5 * pixel);
-  if (shape.is_point_cloud()) widen_to_samples(graph, shape);
-  return graph;
+  if (shape.is_point_cloud()) widen_to_samples(skeleton, shape);
+  return skeleton;
 }
+
+/// Builds the scene of a mesh on first use.
+class LazyScene {
+ public:
+  LazyScene(const NormalizedShape& shape, int threads) : shape_(shape), threads_(threads) {}
+
+  const SurfaceScene& operator()() {
+    if (!scene_) run_on(threads_, [&] { scene_.emplace(shape_); });
+    return *scene_;
+  }
+
+ private:
+  const NormalizedShape& shape_;
+  int threads_;
+  std::optional<SurfaceScene> scene_;
+};
 
 /// The hull as voxels; gaps in the sampling of a point cloud are bridged.
 VoxelSet solid_hull(const NormalizedShape& shape, std::span<const StereoImages> views,
@@ -230,6 +245,12 @@ VoxelSet solid_hull(const NormalizedShape& shape, std::span<const StereoImages> 
   if (!shape.is_point_cloud()) return hull;
   return bridge_gaps(grid, std::move(hull), core, kLongestGap * median_spacing(shape));
 }
+
+/// Only a mesh has a surface: a cloud has none, and that of a volume is made of steps.
+bool is_on_surface(const Shape& shape, Refinement refinement) {
+  return refinement == Refinement::Surface && !shape.is_point_cloud();
+}
+bool is_on_surface(const Volume&, Refinement) { return false; }
 
 /// All stages, one after the other; what the next ones do not need is gone.
 template <class Input>
@@ -245,13 +266,14 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
   const NormalizedShape& shape = framed.shape;
 
   // 4.1: silhouettes, distances, medial axes.
-  std::optional<SurfaceScene> scene;
+  LazyScene scene(shape, options.max_threads);
+  const SurfaceScene* by_rays = nullptr;
   if (options.silhouettes == SilhouetteMethod::Embree && !shape.is_point_cloud()) {
     record.begin("surface scene", 0.02);
-    run_on(options.max_threads, [&] { scene.emplace(shape); });
+    by_rays = &scene();
   }
   record.begin("views", 0.05);
-  DrawnViews drawn = draw_views(shape, scene ? &*scene : nullptr, options);
+  DrawnViews drawn = draw_views(shape, by_rays, options);
   const Resolution resolution = record.keep(&Trace::resolution, drawn.resolution);
   const auto views = record.keep(&Trace::views, std::move(drawn.views));
   const double pixel = PixelGrid{resolution.image}.pixel();
@@ -283,15 +305,26 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
                       prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), voxel));
 
   // 4.4.2: branch collapse, and what the surface says of cycles.
-  record.begin("branch collapse", 0.95);
+  record.begin("branch collapse", 0.93);
   graph = record.keep(&Trace::collapsed, collapse(graph, input, shape, voxel));
 
-  // 4.4, last paragraph: tips and smoothing. (Recentring on the surface has its place here.)
-  record.begin("smoothing", 0.97);
+  // 4.4, last paragraph: tips and smoothing.
+  record.begin("smoothing", 0.94);
   graph = record.keep(&Trace::smoothed,
                       smooth_branches(trim_leaves(graph, voxel), options.smoothing_passes));
-  graph = with_hull_radii(std::move(graph), shape, views, pixel, voxel);
-  CurveSkeleton skeleton = record.keep(&Trace::skeleton, to_input_units(graph, frame));
+  const Projections projections(views);
+  if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
+
+  // In place of the paper's radii: the silhouettes', then the middle of the surface.
+  CurveSkeleton skeleton = skeleton_of(graph);
+  if (options.refinement != Refinement::None)
+    skeleton = with_hull_radii(std::move(skeleton), shape, projections, pixel);
+  if (is_on_surface(input, options.refinement)) {
+    record.begin("refinement", 0.95);
+    skeleton = recentre(skeleton, {shape, scene(), projections, pixel});
+  }
+  skeleton = record.keep(&Trace::refined, std::move(skeleton));
+  skeleton = record.keep(&Trace::skeleton, to_input_units(skeleton, frame));
   record.begin("done", 1);
   return skeleton;
 }

@@ -46,22 +46,34 @@ class DecimalRounding {
 
 }  // namespace
 
+CurveSkeleton skeleton_of(const VoteGraph& graph) {
+  CurveSkeleton skeleton;
+  skeleton.nodes.reserve(graph.nodes.size());
+  for (const auto& n : graph.nodes) skeleton.nodes.push_back({n.position, n.radius});
+  skeleton.edges = graph.edges;
+  return skeleton;
+}
+
 CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization) {
+  return to_input_units(skeleton_of(graph), normalization);
+}
+
+CurveSkeleton to_input_units(const CurveSkeleton& skeleton, const Normalization& normalization) {
   const double diagonal = normalization.length_to_input(2);
   const DecimalRounding round(kDigits * diagonal);
   // Of a shape at the end of the range of numbers this would be zero or infinite.
   const double least_radius =
       std::clamp(kDigits * diagonal, std::numeric_limits<double>::denorm_min(), 1e300);
-  CurveSkeleton skeleton;
-  skeleton.nodes.reserve(graph.nodes.size());
-  for (const auto& n : graph.nodes) {
+  CurveSkeleton result = skeleton;
+  for (auto& n : result.nodes) {
     const Vec3 p = normalization.to_input(n.position);
-    const double radius = normalization.length_to_input(n.radius);
-    skeleton.nodes.push_back(
-        {{round(p.x), round(p.y), round(p.z)}, std::max(round(radius), least_radius)});
+    n.position = {round(p.x), round(p.y), round(p.z)};
+    n.radius = std::max(round(normalization.length_to_input(n.radius)), least_radius);
+    if (n.section_radius > 0)
+      n.section_radius =
+          std::max(round(normalization.length_to_input(n.section_radius)), n.radius);
   }
-  skeleton.edges = graph.edges;
-  return skeleton;
+  return result;
 }
 
 }  // namespace marrow

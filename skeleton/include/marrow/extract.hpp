@@ -3,6 +3,7 @@
 
 #include <marrow/curve_skeleton.hpp>
 #include <marrow/normalization.hpp>
+#include <marrow/refinement.hpp>
 #include <marrow/resolution.hpp>
 #include <marrow/stereo_images.hpp>
 #include <marrow/visual_hull.hpp>
@@ -28,6 +29,7 @@ struct ExtractOptions {
                        ///< to 24; 0: discs that follow the density of the points
   int smoothing_passes = 5;  ///< 0 and up
   SilhouetteMethod silhouettes = SilhouetteMethod::Scanline;
+  Refinement refinement = Refinement::Surface;
   int max_threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on
   /// the calling thread. May throw to stop the work.
@@ -59,7 +61,8 @@ struct ExtractTrace {
   VoteGraph thinned;                ///< with the topology of the hull, leaves pruned
   VoteGraph collapsed;              ///< 4.4.2: branches collapsed, short cycles cut
   VoteGraph smoothed;               ///< 4.4: leaves trimmed, branches smoothed
-  CurveSkeleton skeleton;           ///< with hull radii, in the units of the shape
+  CurveSkeleton refined;            ///< recentred, radii final; in the normalised frame
+  CurveSkeleton skeleton;           ///< the same in the units of the shape
 };
 
 /// extract(), keeping everything.
@@ -68,5 +71,7 @@ ExtractTrace extract_with_trace(const Volume& volume, const ExtractOptions& opti
 
 /// A graph in the normalised frame as a skeleton in the units of the shape.
 CurveSkeleton to_input_units(const VoteGraph& graph, const Normalization& normalization);
+/// The same of a skeleton in the normalised frame.
+CurveSkeleton to_input_units(const CurveSkeleton& skeleton, const Normalization& normalization);
 
 }  // namespace marrow

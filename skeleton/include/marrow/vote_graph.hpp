@@ -29,4 +29,7 @@ struct VoteGraph {
   friend bool operator==(const VoteGraph&, const VoteGraph&) = default;
 };
 
+/// The same nodes and edges, with the radii of the matches.
+CurveSkeleton skeleton_of(const VoteGraph& graph);
+
 }  // namespace marrow

@@ -1,0 +1,51 @@
+// A skeleton taken apart into lines that can be sampled anew, and put together again.
+#pragma once
+
+#include <marrow/curve_skeleton.hpp>
+
+#include <vector>
+
+namespace marrow {
+
+/// One point of a line.
+struct LinePoint {
+  Vec3 position;
+  double radius = 0;          ///< of the inscribed ball
+  double section_radius = 0;  ///< mean half width of the section
+};
+
+/// A branch: its points from end to end. A ring has no end, and no point twice.
+struct BranchLine {
+  std::vector<LinePoint> points;
+  bool is_ring = false;
+  bool starts_at_leaf = false, ends_at_leaf = false;
+  NodeId start = 0, end = 0;    ///< nodes of the skeleton; of a ring both are its first point
+  std::size_t least_edges = 1;  ///< so that no two branches become one edge
+
+  std::size_t size() const { return points.size(); }
+  std::size_t edge_count() const { return is_ring ? size() : size() - 1; }
+  std::size_t after(std::size_t i) const { return is_ring ? (i + 1) % size() : i + 1; }
+  std::size_t before(std::size_t i) const { return is_ring ? (i + size() - 1) % size() : i - 1; }
+  double edge_length(std::size_t e) const {
+    return distance(points[e].position, points[after(e)].position);
+  }
+  /// Whether the point is an end that does not move.
+  bool is_fixed(std::size_t i) const {
+    return !is_ring && ((i == 0 && !starts_at_leaf) || (i + 1 == size() && !ends_at_leaf));
+  }
+};
+
+/// The branches of a skeleton. Nodes without an edge are in none.
+std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton);
+
+/// The same line with points at steps of half the radius, but `least` to `most`.
+BranchLine resampled(const BranchLine& line, double least, double most);
+
+/// Unit vector along the line at a point: the chord over `reach` to either side, as far as the line
+/// goes. Zero where the line has no length.
+Vec3 tangent_at(const BranchLine& line, std::size_t i, double reach);
+
+/// The lines put together at the joints of the skeleton that they were taken from.
+CurveSkeleton assemble(const CurveSkeleton& skeleton, const std::vector<BranchLine>& lines);
+
+}  // namespace marrow

@@ -1,0 +1,34 @@
+#include <marrow/refinement.hpp>
+
+#include <vector>
+
+#include "recentring_detail.hpp"
+
+namespace marrow {
+
+namespace {
+
+constexpr double kLeastStep = 0.002, kMostStep = 0.03;  // between points, of the diagonal
+
+}  // namespace
+
+CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& input) {
+  std::vector<Vec3> places;
+  for (const auto& node : skeleton.nodes) places.push_back(node.position);
+  const SurfaceProbe probe(input, places);
+  std::vector<BranchLine> lines = lines_of(skeleton);
+  for (BranchLine& line : lines) {
+    line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
+    bring_inside(line, probe);
+    recentre(line, probe);
+    mend_edges(line, probe);
+    settle_tips(line, probe);
+    measure_sections(line, probe);
+  }
+  CurveSkeleton result = assemble(skeleton, lines);
+  for (auto& node : result.nodes)
+    if (node.section_radius < node.radius) node.section_radius = node.radius;
+  return result;
+}
+
+}  // namespace marrow

@@ -1,0 +1,51 @@
+// What a point in the shape asks the surface around it.
+#pragma once
+
+#include <marrow/refinement.hpp>
+
+#include <optional>
+#include <span>
+
+#include "symmetric3_detail.hpp"
+
+namespace marrow {
+
+/// The walls that a point sees in the plane across the line.
+struct Section {
+  Symmetric3 weight;     ///< how firmly each direction is told: flat sections say little of their
+                         ///< long side
+  Vec3 centre;           ///< where opposite walls are as far
+  double half_width = 0;  ///< median over the directions; 0: too few walls
+};
+
+class SurfaceProbe {
+ public:
+  /// `samples` are points in the shape, which tell whether walls stand inside it.
+  SurfaceProbe(const RefinementInput& input, std::span<const Vec3> samples);
+
+  double diagonal() const { return diagonal_; }
+  double pixel() const { return input_.pixel; }
+
+  /// Radius of the ball that the silhouettes allow, half a pixel at least.
+  double hull(const Vec3& p) const;
+  /// Distance to the surface; what the hull allows where it is farther than that.
+  double radius(const Vec3& p) const;
+  Section section(const Vec3& p, const Vec3& tangent, double radius) const;
+  /// Way to the wall straight ahead: the median of a cone of rays.
+  double ahead(const Vec3& p, const Vec3& direction) const;
+  bool is_outside(const Vec3& p) const;
+  /// The middle between the nearest wall and the one behind it, if they are close.
+  std::optional<Vec3> inside_near(const Vec3& p) const;
+  /// Whether a wall stands between two points.
+  bool is_blocked(const Vec3& a, const Vec3& b) const;
+
+ private:
+  std::optional<SurfaceHit> wall(const Vec3& from, const Vec3& direction) const;
+  bool is_inner(const Vec3& from, const SurfaceHit& hit) const;
+
+  RefinementInput input_;
+  double diagonal_;
+  bool has_inner_walls_ = false;
+};
+
+}  // namespace marrow

@@ -40,8 +40,8 @@ Vec3 nearest_on_edges(const Vec3& p, const Corners& t) {
   return nearest;
 }
 
-Vec3 nearest_on_triangle(const Vec3& p, const Corners& t) {
-  const Vec3 normal = cross(t.b - t.a, t.c - t.a);
+/// `normal` is that of the triangle, of any length.
+Vec3 nearest_on_triangle(const Vec3& p, const Corners& t, const Vec3& normal) {
   const double squared = squared_length(normal);
   const auto is_left_of = [&](const Vec3& from, const Vec3& to) {
     return dot(cross(to - from, p - from), normal) >= 0;
@@ -65,7 +65,12 @@ struct PointSearch {
 
   /// Looks at one triangle; whether the search has become narrower.
   bool visit(std::uint32_t triangle) {
-    const Vec3 q = nearest_on_triangle(from, corners_of(shape, triangle));
+    const Corners t = corners_of(shape, triangle);
+    const Vec3 normal = cross(t.b - t.a, t.c - t.a);
+    const double height = dot(from - t.a, normal);
+    const double limit = with_slack(best ? best->distance : reach);
+    if (height * height > limit * limit * squared_length(normal)) return false;  // so is its plane
+    const Vec3 q = nearest_on_triangle(from, t, normal);
     const SurfaceHit hit{distance(q, from), triangle, q};
     if (hit.distance > reach || (best && !is_before(hit, *best))) return false;
     if (counts && !counts(hit)) return false;

@@ -42,9 +42,11 @@ void set_points(RTCDevice device, RTCGeometry geometry, const NormalizedShape& s
   for (std::size_t i = 0; i < shape.x.size(); ++i) points[i] = {shape.x[i], shape.y[i], shape.z[i]};
 }
 
-void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& shape) {
-  const auto quality =
-      shape.triangles.size() < kManyTriangles ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
+void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& shape,
+                   SurfaceScene::Use use) {
+  const bool is_worth_it =
+      use == SurfaceScene::Use::Images && shape.triangles.size() < kManyTriangles;
+  const auto quality = is_worth_it ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
   rtcSetSceneBuildQuality(embree.scene, quality);
   RTCGeometry geometry = rtcNewGeometry(embree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcAttachGeometry(embree.scene, geometry);
@@ -58,14 +60,14 @@ void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& sh
 
 }  // namespace
 
-SurfaceScene::SurfaceScene(const NormalizedShape& shape)
+SurfaceScene::SurfaceScene(const NormalizedShape& shape, Use use)
     : shape_(shape), embree_(std::make_unique<Embree>()) {
   Embree& e = *embree_;
   e.device = rtcNewDevice(kDevice);
   if (e.device == nullptr) throw Error(ErrorKind::Internal, "Embree does not start");
   e.scene = rtcNewScene(e.device);
   rtcSetSceneFlags(e.scene, kSceneFlags);
-  if (!shape.triangles.empty()) add_triangles(e, shape);
+  if (!shape.triangles.empty()) add_triangles(e, shape, use);
   rtcCommitScene(e.scene);
   check(e.device);
 }

@@ -33,22 +33,6 @@ LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
           mix(a.section_radius, b.section_radius)};
 }
 
-/// The place `reach` away from point `i` along the line, forwards or backwards.
-Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwards) {
-  double left = reach;
-  for (std::size_t steps = 0; steps < line.size(); ++steps) {
-    const bool at_end = !line.is_ring && (forwards ? i + 1 == line.size() : i == 0);
-    if (at_end) break;
-    const std::size_t next = forwards ? line.after(i) : line.before(i);
-    const Vec3 &a = line.points[i].position, &b = line.points[next].position;
-    const double edge = distance(a, b);
-    if (edge >= left) return edge > 0 ? a + (b - a) * (left / edge) : a;
-    left -= edge;
-    i = next;
-  }
-  return line.points[i].position;
-}
-
 }  // namespace
 
 std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton) {
@@ -81,6 +65,21 @@ BranchLine resampled(const BranchLine& line, double least, double most) {
   }
   if (!line.is_ring) result.points.push_back(line.points.back());
   return result;
+}
+
+Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwards) {
+  double left = reach;
+  for (std::size_t steps = 0; steps < line.size(); ++steps) {
+    const bool at_end = !line.is_ring && (forwards ? i + 1 == line.size() : i == 0);
+    if (at_end) break;
+    const std::size_t next = forwards ? line.after(i) : line.before(i);
+    const Vec3 &a = line.points[i].position, &b = line.points[next].position;
+    const double edge = distance(a, b);
+    if (edge >= left) return edge > 0 ? a + (b - a) * (left / edge) : a;
+    left -= edge;
+    i = next;
+  }
+  return line.points[i].position;
 }
 
 Vec3 tangent_at(const BranchLine& line, std::size_t i, double reach) {

@@ -41,6 +41,9 @@ std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton);
 /// The same line with points at steps of half the radius, but `least` to `most`.
 BranchLine resampled(const BranchLine& line, double least, double most);
 
+/// The place `reach` away from point `i` along the line, as far as the line goes.
+Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwards);
+
 /// Unit vector along the line at a point: the chord over `reach` to either side, as far as the line
 /// goes. Zero where the line has no length.
 Vec3 tangent_at(const BranchLine& line, std::size_t i, double reach);

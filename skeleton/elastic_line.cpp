@@ -9,7 +9,7 @@ namespace marrow {
 namespace {
 
 constexpr double kLeastLength = 1e-5;  // normalised: shorter edges count as long as this
-constexpr double kPrecision = 1e-20;   // of the squared residual
+constexpr double kPrecision = 1e-12;   // of the squared residual
 constexpr int kMostSteps = 200;
 
 /// The second derivative at a point as a sum over it and its neighbours.

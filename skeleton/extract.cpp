@@ -227,8 +227,8 @@ class LazyScene {
  public:
   LazyScene(const NormalizedShape& shape, int threads) : shape_(shape), threads_(threads) {}
 
-  const SurfaceScene& operator()() {
-    if (!scene_) run_on(threads_, [&] { scene_.emplace(shape_); });
+  const SurfaceScene& for_use(SurfaceScene::Use use) {
+    if (!scene_) run_on(threads_, [&] { scene_.emplace(shape_, use); });
     return *scene_;
   }
 
@@ -270,7 +270,7 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
   const SurfaceScene* by_rays = nullptr;
   if (options.silhouettes == SilhouetteMethod::Embree && !shape.is_point_cloud()) {
     record.begin("surface scene", 0.02);
-    by_rays = &scene();
+    by_rays = &scene.for_use(SurfaceScene::Use::Images);
   }
   record.begin("views", 0.05);
   DrawnViews drawn = draw_views(shape, by_rays, options);
@@ -321,7 +321,7 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
     skeleton = with_hull_radii(std::move(skeleton), shape, projections, pixel);
   if (is_on_surface(input, options.refinement)) {
     record.begin("refinement", 0.95);
-    skeleton = recentre(skeleton, {shape, scene(), projections, pixel});
+    skeleton = recentre(skeleton, {shape, scene.for_use(SurfaceScene::Use::Questions), projections, pixel});
   }
   skeleton = record.keep(&Trace::refined, std::move(skeleton));
   skeleton = record.keep(&Trace::skeleton, to_input_units(skeleton, frame));

@@ -73,14 +73,14 @@ void recentre(BranchLine& line, const SurfaceProbe& probe) {
       if (line.is_fixed(i)) continue;
       LinePoint& p = line.points[i];
       const Vec3 step = no_farther(p.position, places[i], kMostStep * p.radius);
+      const LinePoint before = p;
       p.position = no_farther(start[i], step, leash[i]);
-      p.radius = probe.radius(p.position);
+      p.radius = probe.radius(p.position, before.radius + distance(p.position, before.position) + 1e-9);
     }
   }
 }
 
 void mend_edges(BranchLine&, const SurfaceProbe&) {}
-void settle_tips(BranchLine&, const SurfaceProbe&) {}
 
 void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
   constexpr double kMost = 1.5;  // radii

@@ -1,6 +1,8 @@
 // Lines into the middle of the surface.
 #pragma once
 
+#include <vector>
+
 #include "branch_lines_detail.hpp"
 #include "surface_probe_detail.hpp"
 
@@ -16,8 +18,9 @@ void recentre(BranchLine& line, const SurfaceProbe& probe);
 /// Adds points where an edge may run through a wall, pulled to the middle.
 void mend_edges(BranchLine& line, const SurfaceProbe& probe);
 
-/// Leaves run on, or back, to where their ball touches the end of the limb.
-void settle_tips(BranchLine& line, const SurfaceProbe& probe);
+/// Leaves run on, or back, to where their ball touches the end of the limb; none runs into the ball
+/// of another line.
+void settle_tips(std::vector<BranchLine>& lines, const SurfaceProbe& probe);
 
 /// Mean half widths of the sections; near joints they fade to the radius.
 void measure_sections(BranchLine& line, const SurfaceProbe& probe);

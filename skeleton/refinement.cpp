@@ -22,9 +22,9 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
     bring_inside(line, probe);
     recentre(line, probe);
     mend_edges(line, probe);
-    settle_tips(line, probe);
-    measure_sections(line, probe);
   }
+  settle_tips(lines, probe);
+  for (BranchLine& line : lines) measure_sections(line, probe);
   CurveSkeleton result = assemble(skeleton, lines);
   for (auto& node : result.nodes)
     if (node.section_radius < node.radius) node.section_radius = node.radius;

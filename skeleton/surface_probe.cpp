@@ -10,7 +10,6 @@ namespace marrow {
 
 namespace {
 
-constexpr double kFar = 4;           // beyond everything: the shape lies in the unit ball
 constexpr double kBehind = 1e-5;     // of the diagonal: off a wall, so that a ray leaves it
 constexpr double kClip = 4;          // radii: walls farther off are not told apart
 constexpr double kSoft = 0.05;       // keeps a target near where nothing is told
@@ -57,7 +56,7 @@ std::vector<int> windings(const SurfaceScene& surface, std::span<const SurfaceHi
 bool runs_through_itself(const SurfaceScene& surface, std::span<const Vec3> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec3 direction = axis(i % 12);
-    const auto hits = surface.all_hits(samples[i], direction, kFar);
+    const auto hits = surface.all_hits(samples[i], direction, SurfaceProbe::kFar);
     const auto around = windings(surface, hits, direction);
     for (std::size_t k = 0; k < around.size(); ++k) {
       const bool is_wide = k == 0 || k == hits.size() ||
@@ -93,8 +92,8 @@ bool SurfaceProbe::is_inner(const Vec3& from, const SurfaceHit& hit) const {
   return inside >= 2;
 }
 
-double SurfaceProbe::radius(const Vec3& p) const {
-  const double reach = hull(p) + 2 * input_.pixel;
+double SurfaceProbe::radius(const Vec3& p, double most) const {
+  const double reach = std::min(hull(p) + 2 * input_.pixel, most);
   const auto hit = has_inner_walls_
                        ? input_.surface.nearest(
                              p, reach, [&](const SurfaceHit& h) { return !is_inner(p, h); })

@@ -20,6 +20,8 @@ struct Section {
 
 class SurfaceProbe {
  public:
+  static constexpr double kFar = 4;  ///< beyond everything: the shape lies in the unit ball
+
   /// `samples` are points in the shape, which tell whether walls stand inside it.
   SurfaceProbe(const RefinementInput& input, std::span<const Vec3> samples);
 
@@ -28,8 +30,9 @@ class SurfaceProbe {
 
   /// Radius of the ball that the silhouettes allow, half a pixel at least.
   double hull(const Vec3& p) const;
-  /// Distance to the surface; what the hull allows where it is farther than that.
-  double radius(const Vec3& p) const;
+  /// Distance to the surface, known to be no more than `most`; what the hull allows where it is
+  /// farther than that.
+  double radius(const Vec3& p, double most = kFar) const;
   Section section(const Vec3& p, const Vec3& tangent, double radius) const;
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;

@@ -23,9 +23,13 @@ struct SurfaceHit {
 /// doubles, and among equal ones the lowest triangle answers.
 class SurfaceScene {
  public:
+  /// What the tree is for: tracing millions of rays, or quick to build for some thousands of
+  /// questions. The answers are the same.
+  enum class Use { Images, Questions };
+
   /// Builds the tree, with as many threads as the TBB arena of the caller allows. `shape` must
   /// outlive this. Throws Error: Limit (out of memory), Internal (Embree does not start).
-  explicit SurfaceScene(const NormalizedShape& shape);
+  explicit SurfaceScene(const NormalizedShape& shape, Use use = Use::Images);
   ~SurfaceScene();
   SurfaceScene(const SurfaceScene&) = delete;
   SurfaceScene& operator=(const SurfaceScene&) = delete;

@@ -29,8 +29,8 @@ struct BranchLine {
   double edge_length(std::size_t e) const {
     return distance(points[e].position, points[after(e)].position);
   }
-  /// Whether the point is an end that does not move.
-  bool is_fixed(std::size_t i) const {
+  /// Whether the point is an end that other lines share.
+  bool is_joint(std::size_t i) const {
     return !is_ring && ((i == 0 && !starts_at_leaf) || (i + 1 == size() && !ends_at_leaf));
   }
 };

@@ -1,4 +1,4 @@
-// A line held by targets and by its own stiffness.
+// Lines held by targets and by their own stiffness, and by the joints that they share.
 #pragma once
 
 #include <span>
@@ -9,17 +9,20 @@
 
 namespace marrow {
 
-/// Where a point of a line is drawn to, and how firmly along each direction.
-struct Target {
+/// What one point of a line is drawn by.
+struct Hold {
   Vec3 place;
-  Symmetric3 weight;
+  Symmetric3 weight;     ///< how firmly along each direction
+  double stiffness = 0;  ///< against bending, in the unit of a length to the fourth power
 };
 
-/// The places of all points that minimise
-///   sum of s (x - place)' weight (x - place) + sum of stiffness |x''|^2 s
-/// with s the share of the line's length that a point stands for. `stiffness` has the unit of a
-/// length to the fourth power. Fixed ends keep their place.
-std::vector<Vec3> relax(const BranchLine& line, std::span<const Target> targets,
-                        std::span<const double> stiffness);
+/// One hold for every point of every line.
+using Holds = std::vector<std::vector<Hold>>;
+
+/// The places of all points that minimise, over all lines,
+///   sum of s (x - place)' weight (x - place) + sum of s stiffness |x''|^2
+/// with s the share of its line's length that a point stands for. A joint is one point of all its
+/// lines; nothing bends there, so that it lies where they lead.
+std::vector<std::vector<Vec3>> relax(std::span<const BranchLine> lines, const Holds& holds);
 
 }  // namespace marrow

@@ -1,45 +1,44 @@
-#include "recentring_detail.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include "elastic_line_detail.hpp"
+#include "recentring_detail.hpp"
 
 namespace marrow {
 
 namespace {
 
 constexpr int kRounds = 3;
-constexpr double kStiffness = 0.5;        // radii: bends shorter than this are ironed out
+constexpr double kStiffness = 0.5;         // radii: bends shorter than this are ironed out
 constexpr double kLeastStiffness = 0.004;  // of the diagonal, in place of a smaller radius
-constexpr double kMostStep = 0.8;         // radii in one round
+constexpr double kMostStep = 0.8;          // radii in one round, where the way may be blocked
+constexpr double kJointWeight = 0.02;
 
-double tangent_reach(const BranchLine& line, std::size_t i, const SurfaceProbe& probe) {
-  return std::max(0.75 * line.points[i].radius, 0.002 * probe.diagonal());
+/// A point on its way, and how far it may go.
+struct Travel {
+  Vec3 start;
+  double leash = 0;
+};
+
+double tangent_reach(const LinePoint& p, const SurfaceProbe& probe) {
+  return std::max(0.75 * p.radius, 0.002 * probe.diagonal());
 }
 
-std::vector<Target> targets_of(const BranchLine& line, const SurfaceProbe& probe) {
-  std::vector<Target> targets;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const LinePoint& p = line.points[i];
-    const Vec3 tangent = tangent_at(line, i, tangent_reach(line, i, probe));
-    if (line.is_fixed(i) || tangent == Vec3{}) {
-      targets.push_back({p.position, scaled_identity(1)});
-      continue;
-    }
-    const Section section = probe.section(p.position, tangent, p.radius);
-    targets.push_back({section.centre, section.weight});
-  }
-  return targets;
+double stiffness_of(const LinePoint& p, double diagonal) {
+  const double bend = kStiffness * std::max(p.radius, kLeastStiffness * diagonal);
+  return bend * bend * bend * bend;
 }
 
-std::vector<double> stiffness_of(const BranchLine& line, double diagonal) {
-  std::vector<double> result;
-  for (const LinePoint& p : line.points) {
-    const double bend = kStiffness * std::max(p.radius, kLeastStiffness * diagonal);
-    result.push_back(bend * bend * bend * bend);
-  }
-  return result;
+/// What a point of a line is drawn by; a point that sees its section may go to its middle.
+Hold hold_of(const BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& leash) {
+  const LinePoint& p = line.points[i];
+  const double stiffness = stiffness_of(p, probe.diagonal());
+  const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
+  if (line.is_joint(i) || tangent == Vec3{})
+    return {p.position, scaled_identity(kJointWeight), stiffness};
+  const Section section = probe.section(p.position, tangent, p.radius);
+  leash = std::max(leash, section.half_width);
+  return {section.centre, section.weight, stiffness};
 }
 
 /// `to`, but no farther than `most` from `from`.
@@ -48,47 +47,61 @@ Vec3 no_farther(const Vec3& from, const Vec3& to, double most) {
   return way <= most ? to : from + (to - from) * (most / way);
 }
 
+void move(LinePoint& p, const Vec3& place, const Travel& travel, const SurfaceProbe& probe) {
+  const LinePoint before = p;
+  Vec3 to = no_farther(travel.start, place, travel.leash);
+  const double most = kMostStep * p.radius;
+  if (distance(p.position, to) > most && probe.is_blocked(p.position, to))
+    to = no_farther(p.position, to, most);
+  p.position = to;
+  p.radius = probe.radius(to, before.radius + distance(to, before.position) + 1e-9);
+}
+
+/// Moves a point that lies outside the surface into the limb beside it.
+void bring_inside(LinePoint& p, Travel& travel, const SurfaceProbe& probe) {
+  if (!probe.is_outside(p.position)) return;
+  const auto inside = probe.inside_near(p.position);
+  if (!inside) return;
+  p.position = *inside;
+  p.radius = probe.radius(p.position);
+  travel = {p.position, std::max(travel.leash, p.radius)};
+}
+
 }  // namespace
 
-void bring_inside(BranchLine& line, const SurfaceProbe& probe) {
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    Vec3& p = line.points[i].position;
-    if (line.is_fixed(i) || !probe.is_outside(p)) continue;
-    if (const auto inside = probe.inside_near(p)) p = *inside;
-  }
-}
-
-void recentre(BranchLine& line, const SurfaceProbe& probe) {
-  std::vector<Vec3> start;
-  std::vector<double> leash;
-  for (LinePoint& p : line.points) {
-    start.push_back(p.position);
-    leash.push_back(probe.hull(p.position));
-    p.radius = probe.radius(p.position);
-  }
-  for (int round = 0; round < kRounds; ++round) {
-    const auto places =
-        relax(line, targets_of(line, probe), stiffness_of(line, probe.diagonal()));
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      if (line.is_fixed(i)) continue;
-      LinePoint& p = line.points[i];
-      const Vec3 step = no_farther(p.position, places[i], kMostStep * p.radius);
-      const LinePoint before = p;
-      p.position = no_farther(start[i], step, leash[i]);
-      p.radius = probe.radius(p.position, before.radius + distance(p.position, before.position) + 1e-9);
+void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
+  std::vector<std::vector<Travel>> travels;
+  for (BranchLine& line : lines) {
+    auto& of_line = travels.emplace_back();
+    for (LinePoint& p : line.points) {
+      of_line.push_back({p.position, probe.hull(p.position)});
+      p.radius = probe.radius(p.position);
     }
   }
+  for (int round = 0; round < kRounds; ++round) {
+    Holds holds;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      BranchLine& line = lines[l];
+      for (std::size_t i = 0; i < line.size(); ++i)
+        bring_inside(line.points[i], travels[l][i], probe);
+      auto& of_line = holds.emplace_back();
+      for (std::size_t i = 0; i < line.size(); ++i)
+        of_line.push_back(hold_of(line, i, probe, travels[l][i].leash));
+    }
+    const auto places = relax(lines, holds);
+    for (std::size_t l = 0; l < lines.size(); ++l)
+      for (std::size_t i = 0; i < lines[l].size(); ++i)
+        move(lines[l].points[i], places[l][i], travels[l][i], probe);
+  }
 }
-
-void mend_edges(BranchLine&, const SurfaceProbe&) {}
 
 void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
   constexpr double kMost = 1.5;  // radii
   for (std::size_t i = 0; i < line.size(); ++i) {
     LinePoint& p = line.points[i];
     p.section_radius = p.radius;
-    const Vec3 tangent = tangent_at(line, i, tangent_reach(line, i, probe));
-    if (line.is_fixed(i) || tangent == Vec3{}) continue;
+    const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
+    if (line.is_joint(i) || tangent == Vec3{}) continue;
     const Section section = probe.section(p.position, tangent, p.radius);
     p.section_radius = std::clamp(section.half_width, p.radius, kMost * p.radius);
   }
@@ -101,8 +114,8 @@ void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
       p.section_radius = p.radius + (p.section_radius - p.radius) * share;
     }
   };
-  if (line.is_fixed(0)) fade(0, [](std::size_t i) { return i + 1; });
-  if (line.is_fixed(line.size() - 1)) fade(line.size() - 1, [](std::size_t i) { return i - 1; });
+  if (line.is_joint(0)) fade(0, [](std::size_t i) { return i + 1; });
+  if (line.is_joint(line.size() - 1)) fade(line.size() - 1, [](std::size_t i) { return i - 1; });
 }
 
 }  // namespace marrow

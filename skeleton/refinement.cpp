@@ -17,12 +17,9 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
   for (const auto& node : skeleton.nodes) places.push_back(node.position);
   const SurfaceProbe probe(input, places);
   std::vector<BranchLine> lines = lines_of(skeleton);
-  for (BranchLine& line : lines) {
+  for (BranchLine& line : lines)
     line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
-    bring_inside(line, probe);
-    recentre(line, probe);
-    mend_edges(line, probe);
-  }
+  recentre(lines, probe);
   settle_tips(lines, probe);
   for (BranchLine& line : lines) measure_sections(line, probe);
   CurveSkeleton result = assemble(skeleton, lines);

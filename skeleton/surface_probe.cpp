@@ -176,8 +176,9 @@ std::optional<Vec3> SurfaceProbe::inside_near(const Vec3& p) const {
   const Vec3 through = (near->position - p) / near->distance;
   const double off = kBehind * diagonal_;
   const auto behind = wall(near->position + through * off, through);
-  if (!behind || behind->distance > kThinWall * diagonal_) return {};
-  return near->position + through * (0.5 * (behind->distance + off));
+  if (!behind) return {};
+  const double depth = std::min(behind->distance, kThinWall * diagonal_);
+  return near->position + through * (0.5 * (depth + off));
 }
 
 bool SurfaceProbe::is_blocked(const Vec3& a, const Vec3& b) const {

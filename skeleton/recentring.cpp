@@ -8,7 +8,6 @@ namespace marrow {
 
 namespace {
 
-constexpr int kRounds = 3;
 constexpr double kStiffness = 0.5;         // radii: bends shorter than this are ironed out
 constexpr double kLeastStiffness = 0.004;  // of the diagonal, in place of a smaller radius
 constexpr double kMostStep = 0.8;          // radii in one round, where the way may be blocked
@@ -69,7 +68,7 @@ void bring_inside(LinePoint& p, Travel& travel, const SurfaceProbe& probe) {
 
 }  // namespace
 
-void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
+void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rounds) {
   std::vector<std::vector<Travel>> travels;
   for (BranchLine& line : lines) {
     auto& of_line = travels.emplace_back();
@@ -78,7 +77,7 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
       p.radius = probe.radius(p.position);
     }
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     Holds holds;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       BranchLine& line = lines[l];

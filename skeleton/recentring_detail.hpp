@@ -10,7 +10,10 @@ namespace marrow {
 
 /// Moves all points to where opposite walls are as far, the lines held by their stiffness; points
 /// outside the surface go into the limb beside them first. Radii are those of the new places.
-void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe);
+void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rounds);
+
+/// Adds points where an edge runs through a wall, pulled into the shape.
+void mend_edges(BranchLine& line, const SurfaceProbe& probe);
 
 /// Leaves run on, or back, to where their ball touches the end of the limb; none runs into the ball
 /// of another line.

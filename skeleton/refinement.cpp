@@ -17,9 +17,13 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
   for (const auto& node : skeleton.nodes) places.push_back(node.position);
   const SurfaceProbe probe(input, places);
   std::vector<BranchLine> lines = lines_of(skeleton);
-  for (BranchLine& line : lines)
-    line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
-  recentre(lines, probe);
+  // Steps follow the radius, which is known better after the first round.
+  for (const int rounds : {1, 2}) {
+    for (BranchLine& line : lines)
+      line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
+    recentre(lines, probe, rounds);
+  }
+  for (BranchLine& line : lines) mend_edges(line, probe);
   settle_tips(lines, probe);
   for (BranchLine& line : lines) measure_sections(line, probe);
   CurveSkeleton result = assemble(skeleton, lines);

@@ -113,7 +113,8 @@ std::vector<OutputFile> draw_trace(const ExtractTrace& t, const std::string& fol
   add_graph("thinned.obj", t.thinned);
   add_graph("collapsed.obj", t.collapsed);
   add_graph("smoothed.obj", t.smoothed);
-  add("refined.obj", format_skeleton(to_input_units(t.refined, t.normalization), SkeletonFormat::Obj));
+  add("refined.obj",
+      format_skeleton(to_input_units(t.refined, t.normalization), SkeletonFormat::Obj));
   add("skeleton.obj", format_skeleton(t.skeleton, SkeletonFormat::Obj));
   return files;
 }

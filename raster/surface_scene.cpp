@@ -18,11 +18,11 @@ constexpr std::size_t kManyTriangles = 200'000;
 
 // The filter of a ray is asked only where the scene has been told that there may be one.
 #if MARROW_EMBREE == 4
-const RTCSceneFlags kSceneFlags = static_cast<RTCSceneFlags>(
-    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+const RTCSceneFlags kSceneFlags =
+    static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
 #else
-const RTCSceneFlags kSceneFlags = static_cast<RTCSceneFlags>(
-    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+const RTCSceneFlags kSceneFlags =
+    static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 #endif
 
 void check(RTCDevice device) {

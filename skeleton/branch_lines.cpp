@@ -1,7 +1,7 @@
-#include "branch_lines_detail.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "branch_lines_detail.hpp"
 
 namespace marrow {
 
@@ -38,7 +38,8 @@ LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
 std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton) {
   const std::vector<int> degree = degrees(skeleton);
   std::vector<BranchLine> lines;
-  for (const Branch& branch : branches(skeleton)) lines.push_back(line_of(skeleton, branch, degree));
+  for (const Branch& branch : branches(skeleton))
+    lines.push_back(line_of(skeleton, branch, degree));
   return lines;
 }
 

@@ -1,8 +1,8 @@
-#include "elastic_line_detail.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
+
+#include "elastic_line_detail.hpp"
 
 namespace marrow {
 
@@ -85,7 +85,8 @@ class ElasticForm {
     for (std::size_t e = 0; e < line.edge_count(); ++e)
       lengths.push_back(std::max(line.edge_length(e), kLeastLength));
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const bool is_first = !line.is_ring && i == 0, is_last = !line.is_ring && i + 1 == line.size();
+      const bool is_first = !line.is_ring && i == 0,
+                 is_last = !line.is_ring && i + 1 == line.size();
       const double before = is_first ? 0 : lengths[line.before(i)];
       const double after = is_last ? 0 : lengths[i];
       const double share = 0.5 * (before + after);
@@ -142,8 +143,7 @@ std::vector<std::vector<Vec3>> relax(std::span<const BranchLine> lines, const Ho
   const Numbering number(lines);
   std::vector<Vec3> x(number.count());
   for (std::size_t l = 0; l < lines.size(); ++l)
-    for (std::size_t i = 0; i < lines[l].size(); ++i)
-      x[number(l, i)] = lines[l].points[i].position;
+    for (std::size_t i = 0; i < lines[l].size(); ++i) x[number(l, i)] = lines[l].points[i].position;
   solve(ElasticForm(lines, holds, number), x);
   std::vector<std::vector<Vec3>> places(lines.size());
   for (std::size_t l = 0; l < lines.size(); ++l)

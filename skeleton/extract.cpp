@@ -321,7 +321,8 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
     skeleton = with_hull_radii(std::move(skeleton), shape, projections, pixel);
   if (is_on_surface(input, options.refinement)) {
     record.begin("refinement", 0.95);
-    skeleton = recentre(skeleton, {shape, scene.for_use(SurfaceScene::Use::Questions), projections, pixel});
+    skeleton = recentre(skeleton,
+                        {shape, scene.for_use(SurfaceScene::Use::Questions), projections, pixel});
   }
   skeleton = record.keep(&Trace::refined, std::move(skeleton));
   skeleton = record.keep(&Trace::skeleton, to_input_units(skeleton, frame));

@@ -1,21 +1,21 @@
-#include "surface_probe_detail.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
 
+#include "surface_probe_detail.hpp"
+
 namespace marrow {
 
 namespace {
 
-constexpr double kBehind = 1e-5;     // of the diagonal: off a wall, so that a ray leaves it
-constexpr double kClip = 4;          // radii: walls farther off are not told apart
-constexpr double kSoft = 0.05;       // keeps a target near where nothing is told
-constexpr double kAlong = 0.1;       // weight of a point along the line
-constexpr double kUntold = 0.02;     // weight where too few walls are seen
-constexpr double kThinWall = 0.06;   // of the diagonal: two walls with a limb between them
+constexpr double kBehind = 1e-5;    // of the diagonal: off a wall, so that a ray leaves it
+constexpr double kClip = 4;         // radii: walls farther off are not told apart
+constexpr double kSoft = 0.05;      // keeps a target near where nothing is told
+constexpr double kAlong = 0.1;      // weight of a point along the line
+constexpr double kUntold = 0.02;    // weight where too few walls are seen
+constexpr double kThinWall = 0.06;  // of the diagonal: two walls with a limb between them
 constexpr double kRootHalf = 0.70710678118654752;
 
 /// An icosahedron's six axes, turned so that none runs along a face of a box.
@@ -59,8 +59,8 @@ bool runs_through_itself(const SurfaceScene& surface, std::span<const Vec3> samp
     const auto hits = surface.all_hits(samples[i], direction, SurfaceProbe::kFar);
     const auto around = windings(surface, hits, direction);
     for (std::size_t k = 0; k < around.size(); ++k) {
-      const bool is_wide = k == 0 || k == hits.size() ||
-                           hits[k].distance - hits[k - 1].distance > 1e-3;
+      const bool is_wide =
+          k == 0 || k == hits.size() || hits[k].distance - hits[k - 1].distance > 1e-3;
       if (std::abs(around[k]) > 1 && is_wide) return true;
     }
   }
@@ -94,10 +94,10 @@ bool SurfaceProbe::is_inner(const Vec3& from, const SurfaceHit& hit) const {
 
 double SurfaceProbe::radius(const Vec3& p, double most) const {
   const double reach = std::min(hull(p) + 2 * input_.pixel, most);
-  const auto hit = has_inner_walls_
-                       ? input_.surface.nearest(
-                             p, reach, [&](const SurfaceHit& h) { return !is_inner(p, h); })
-                       : input_.surface.nearest(p, reach);
+  const auto hit =
+      has_inner_walls_
+          ? input_.surface.nearest(p, reach, [&](const SurfaceHit& h) { return !is_inner(p, h); })
+          : input_.surface.nearest(p, reach);
   return std::max(hit ? hit->distance : reach, 1e-6 * diagonal_);
 }
 

@@ -12,9 +12,9 @@ namespace marrow {
 
 /// The walls that a point sees in the plane across the line.
 struct Section {
-  Symmetric3 weight;     ///< how firmly each direction is told: flat sections say little of their
-                         ///< long side
-  Vec3 centre;           ///< where opposite walls are as far
+  Symmetric3 weight;      ///< how firmly each direction is told: flat sections say little of their
+                          ///< long side
+  Vec3 centre;            ///< where opposite walls are as far
   double half_width = 0;  ///< median over the directions; 0: too few walls
 };
 

@@ -30,7 +30,11 @@ constexpr Symmetric3 inverse(const Symmetric3& a) {
   const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz,
                xz = a.xy * a.yz - a.xz * a.yy;
   const double determinant = a.xx * xx + a.xy * xy + a.xz * xz;
-  return Symmetric3{xx, xy, xz, a.xx * a.zz - a.xz * a.xz, a.xy * a.xz - a.xx * a.yz,
+  return Symmetric3{xx,
+                    xy,
+                    xz,
+                    a.xx * a.zz - a.xz * a.xz,
+                    a.xy * a.xz - a.xx * a.yz,
                     a.xx * a.yy - a.xy * a.xy} *
          (1 / determinant);
 }

@@ -7,17 +7,17 @@ namespace marrow {
 
 namespace {
 
-constexpr double kGap = 0.08;       // radii between the ball of a settled leaf and the limb's end
-constexpr double kApproach = 0.7;   // of the gap, in one step
-constexpr double kMostStep = 0.5;   // radii
-constexpr double kWidest = 1.3;     // times the radius at the start: it runs into the open
+constexpr double kGap = 0.08;      // radii between the ball of a settled leaf and the limb's end
+constexpr double kApproach = 0.7;  // of the gap, in one step
+constexpr double kMostStep = 0.5;  // radii
+constexpr double kWidest = 1.3;    // times the radius at the start: it runs into the open
 constexpr double kLeastCosine = 0.70710678118654752;  // of the turn from where the limb pointed
 constexpr int kMostSteps = 40, kHalvings = 4;
 
 /// The way a limb points at one of its last points.
 Vec3 heading(const BranchLine& line, std::size_t i) {
-  const Vec3 way = line.points[i].position -
-                   place_along(line, i, std::max(line.points[i].radius, 1e-3), false);
+  const Vec3 way =
+      line.points[i].position - place_along(line, i, std::max(line.points[i].radius, 1e-3), false);
   const double long_way = length(way);
   return long_way > 0 ? way / long_way : Vec3{};
 }
@@ -99,8 +99,9 @@ void turn_round(BranchLine& line) {
 void settle_tips(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
   for (BranchLine& line : lines) {
     const auto is_taken = [&](const Vec3& p) {
-      return std::any_of(lines.begin(), lines.end(),
-                         [&](const BranchLine& other) { return &other != &line && holds(other, p); });
+      return std::any_of(lines.begin(), lines.end(), [&](const BranchLine& other) {
+        return &other != &line && holds(other, p);
+      });
     };
     for (int end = 0; end < 2; ++end) {
       if (line.ends_at_leaf) {

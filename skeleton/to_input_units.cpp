@@ -70,8 +70,7 @@ CurveSkeleton to_input_units(const CurveSkeleton& skeleton, const Normalization&
     n.position = {round(p.x), round(p.y), round(p.z)};
     n.radius = std::max(round(normalization.length_to_input(n.radius)), least_radius);
     if (n.section_radius > 0)
-      n.section_radius =
-          std::max(round(normalization.length_to_input(n.section_radius)), n.radius);
+      n.section_radius = std::max(round(normalization.length_to_input(n.section_radius)), n.radius);
   }
   return result;
 }

@@ -110,6 +110,20 @@ Hash hash_of(const VoteGraph& graph) {
   return h;
 }
 
+Hash hash_of(const CurveSkeleton& skeleton) {
+  Hash h;
+  for (const auto& node : skeleton.nodes) {
+    h.add(node.position);
+    h.add(node.radius);
+    h.add(node.section_radius);
+  }
+  for (const auto& [a, b] : skeleton.edges) {
+    h.add(a);
+    h.add(b);
+  }
+  return h;
+}
+
 Hash hash_of(std::string_view text) {
   Hash h;
   h.add(text);
@@ -143,6 +157,7 @@ void add_stages(Lines& lines, const std::string& name) {
   add("thinned", hash_of(t.thinned));
   add("collapsed", hash_of(t.collapsed));
   add("smoothed", hash_of(t.smoothed));
+  add("refined", hash_of(t.refined));
   add("skeleton", hash_of(format_skeleton(t.skeleton, SkeletonFormat::Obj)));
 }
 

@@ -36,8 +36,8 @@ class SurfaceScene {
 
   /// The point of the surface nearest to `p`, if there is one within `reach`. With `counts` only
   /// triangles count for whose nearest point it is true; it may ask the scene itself.
-  std::optional<SurfaceHit> nearest(const Vec3& p, double reach,
-                                    const std::function<bool(const SurfaceHit&)>& counts = {}) const;
+  std::optional<SurfaceHit> nearest(
+      const Vec3& p, double reach, const std::function<bool(const SurfaceHit&)>& counts = {}) const;
 
   /// Where a ray first meets the surface, if within `reach`. `direction` is a unit vector.
   std::optional<SurfaceHit> first_hit(const Vec3& from, const Vec3& direction, double reach) const;

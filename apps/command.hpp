@@ -13,6 +13,7 @@ namespace marrow {
 
 /// Each adds one verb; it runs at the end of CLI::App::parse() and throws marrow::Error.
 void add_extract_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_check_command(CLI::App& program);

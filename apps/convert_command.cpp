@@ -3,6 +3,9 @@
 #include <marrow/error.hpp>
 #include <marrow/file_io.hpp>
 #include <marrow/parts.hpp>
+#include <marrow/prune.hpp>
+#include <marrow/resample.hpp>
+#include <marrow/simplify.hpp>
 
 #include <memory>
 
@@ -16,9 +19,26 @@ namespace {
 struct ConvertRequest {
   std::string in, out, from, to;
   double radius = 0;  ///< of nodes that have none
+  bool largest = false;
+  double min_part = 0;  ///< percent
+  PruneOptions prune;
+  double simplify = 0, spacing = 0, spacing_by_radius = 0;  ///< 0: not asked for
   bool capsules = false, swc_split = false;
   Limits limits;
 };
+
+/// What is asked for, in this order.
+CurveSkeleton edited(const ConvertRequest& request, CurveSkeleton skeleton) {
+  if (request.largest) skeleton = largest_part(skeleton);
+  if (request.min_part > 0) skeleton = large_parts(skeleton, request.min_part / 100);
+  if (request.prune.length > 0 || request.prune.radius > 0)
+    skeleton = prune(skeleton, request.prune);
+  if (request.simplify > 0) skeleton = simplify(skeleton, request.simplify);
+  if (request.spacing > 0) skeleton = resample(skeleton, request.spacing);
+  if (request.spacing_by_radius > 0)
+    skeleton = resample_by_radius(skeleton, request.spacing_by_radius);
+  return skeleton;
+}
 
 std::string format_capsules(const ConvertRequest& request, const CurveSkeleton& skeleton) {
   const Shape mesh = capsule_mesh(skeleton);
@@ -52,8 +72,41 @@ void run_convert(const ConvertRequest& request) {
   start_clock(request.limits, request.in);
   check_outputs({request.out}, {request.in});
   const InputFile input = read_input(request.in, request.from, request.limits.read);
-  const CurveSkeleton skeleton = skeleton_of(input, request.radius);
+  const CurveSkeleton skeleton = edited(request, skeleton_of(input, request.radius));
   write_outputs(outputs_of(request, skeleton));
+}
+
+constexpr const char* kEdits = "Edits, in this order; lengths are in the units of the skeleton";
+
+CLI::Option* add_measure(CLI::App& verb, const std::string& name, double& value,
+                         const std::string& words, const std::string& type) {
+  return verb.add_option(name, value, words)
+      ->type_name(type)
+      ->check(CLI::PositiveNumber.description(""))
+      ->group(kEdits);
+}
+
+void add_edits(CLI::App& verb, ConvertRequest& request) {
+  CLI::Option* largest =
+      verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
+  largest->group(kEdits);
+  add_measure(verb, "--min-part", request.min_part,
+              "Keep only parts of at least this share of the longest", "PERCENT")
+      ->excludes(largest);
+  add_measure(verb, "--prune-length", request.prune.length, "Take off end branches shorter than L",
+              "L");
+  add_measure(verb, "--prune-radius", request.prune.radius,
+              "Take off end branches whose mean radius is below R", "R");
+  CLI::Option* simplify =
+      add_measure(verb, "--simplify", request.simplify,
+                  "Take out nodes as long as lines and radii stay within T", "T");
+  CLI::Option* spacing = add_measure(verb, "--spacing", request.spacing,
+                                     "Nodes along every branch in equal steps of about S", "S");
+  add_measure(verb, "--spacing-by-radius", request.spacing_by_radius,
+              "The same in steps of K times the radius", "K")
+      ->excludes(spacing)
+      ->excludes(simplify);
+  spacing->excludes(simplify);
 }
 
 void add_options(CLI::App& verb, ConvertRequest& request) {
@@ -75,6 +128,7 @@ void add_options(CLI::App& verb, ConvertRequest& request) {
   verb.add_flag("--swc-split", request.swc_split,
                 "A file for every part: OUT-1.swc, OUT-2.swc, ...")
       ->excludes(capsules);
+  add_edits(verb, request);
   add_limit_options(verb, request.limits);
 }
 
@@ -82,7 +136,8 @@ void add_options(CLI::App& verb, ConvertRequest& request) {
 
 void add_convert_command(CLI::App& program) {
   const auto request = std::make_shared<ConvertRequest>();
-  CLI::App* verb = program.add_subcommand("convert", "A skeleton in another format");
+  CLI::App* verb =
+      program.add_subcommand("convert", "A skeleton in another format, pruned or resampled");
   add_options(*verb, *request);
   verb->footer(
       "By extension: .skel (of the paper's authors, cinolib), .obj (lines), .ply (edges), .json,\n"
@@ -94,6 +149,7 @@ void add_convert_command(CLI::App& program) {
       "  marrow convert horse.skel horse.vtp\n"
       "  marrow convert horse.skel horse.glb --capsules\n"
       "  marrow convert theirs.polylines.txt theirs.skel --radius 0.1\n"
+      "  marrow convert horse.skel smooth.swc --prune-length 0.05 --spacing 0.01\n"
       "  marrow convert - - --from skel --to swc <horse.skel\n");
   verb->callback([request] { run_convert(*request); });
 }

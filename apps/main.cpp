@@ -34,6 +34,7 @@ void set_up(CLI::App& program) {
   program.set_version_flag("--version", version_text, "Versions of marrow and its libraries");
   program.require_subcommand(1);
   add_extract_command(program);
+  add_compare_command(program);
   add_convert_command(program);
   add_info_command(program);
   add_check_command(program);

@@ -114,4 +114,27 @@ std::vector<Branch> branches(std::size_t nodes, std::span<const CurveSkeleton::E
   return result;
 }
 
+std::vector<std::uint32_t> branch_of_edges(const CurveSkeleton& skeleton) {
+  std::vector<std::uint32_t> branch_of(skeleton.edges.size());
+  std::uint32_t id = 0;
+  for (const Branch& branch : branches(skeleton)) {
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      const auto [a, b] = std::minmax(branch.nodes[i - 1], branch.nodes[i]);
+      const auto edge =
+          std::lower_bound(skeleton.edges.begin(), skeleton.edges.end(), CurveSkeleton::Edge{a, b});
+      branch_of[static_cast<std::size_t>(edge - skeleton.edges.begin())] = id;
+    }
+    ++id;
+  }
+  return branch_of;
+}
+
+double length_of(const CurveSkeleton& skeleton, const Branch& branch) {
+  double sum = 0;
+  for (std::size_t i = 1; i < branch.nodes.size(); ++i)
+    sum += distance(skeleton.nodes[branch.nodes[i - 1]].position,
+                    skeleton.nodes[branch.nodes[i]].position);
+  return sum;
+}
+
 }  // namespace marrow

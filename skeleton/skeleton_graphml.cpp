@@ -1,7 +1,6 @@
 // GraphML, as networkx, Gephi and yEd read it.
 #include <marrow/error.hpp>
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -40,22 +39,6 @@ void append_data(std::string& text, const char* key, Number value) {
   text += std::string("<data key=\"") + key + "\">";
   append(text, value);
   text += "</data>";
-}
-
-/// The branch of every edge.
-std::vector<std::uint64_t> branch_of_edges(const CurveSkeleton& skeleton) {
-  std::vector<std::uint64_t> branch_of(skeleton.edges.size());
-  std::uint64_t id = 0;
-  for (const Branch& branch : branches(skeleton)) {
-    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
-      const auto [a, b] = std::minmax(branch.nodes[i - 1], branch.nodes[i]);
-      const auto edge =
-          std::lower_bound(skeleton.edges.begin(), skeleton.edges.end(), CurveSkeleton::Edge{a, b});
-      branch_of[static_cast<std::size_t>(edge - skeleton.edges.begin())] = id;
-    }
-    ++id;
-  }
-  return branch_of;
 }
 
 void append_node(std::string& text, const CurveSkeleton::Node& node, std::uint64_t id,
@@ -161,7 +144,7 @@ std::string format_graphml(const CurveSkeleton& skeleton) {
     const auto [a, b] = skeleton.edges[i];
     text += "    <edge source=\"" + std::to_string(a) + "\" target=\"" + std::to_string(b) + "\">";
     append_data(text, "length", distance(skeleton.nodes[a].position, skeleton.nodes[b].position));
-    append_data(text, "branch", branch_of[i]);
+    append_data(text, "branch", std::uint64_t{branch_of[i]});
     text += "</edge>\n";
   }
   return text + "  </graph>\n</graphml>\n";

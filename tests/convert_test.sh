@@ -82,7 +82,40 @@ for format in "${exact[@]}" swc dot glb polylines.txt; do
   same torus.skel.png "torus.$format.png"
 done
 
+# --- edits ----------------------------------------------------------------------------------------
+good convert graph.skel even.skel --spacing 0.1
+good info even.skel --json
+says '"cycles": 2'
+good convert even.skel plain.skel --simplify 0.05
+good compare graph.skel plain.skel --json
+says '"same_topology": true'
+good convert graph.skel fine.skel --spacing-by-radius 0.5
+good compare graph.skel fine.skel
+says '^same topology'
+says '^hausdorff +[0-9.e-]+ \([0-9.e-]+ %\)'
+good convert graph.skel pruned.skel --prune-length 2
+good compare graph.skel pruned.skel
+says '^leaves +3 +2 +-1'
+says '^other topology'
+good convert graph.skel pruned.skel --prune-radius 0.2
+good info pruned.skel
+says '^leaves +2'
+good convert graph.skel part.skel --largest
+good info part.skel
+says '^components +1'
+good convert graph.skel part.skel --min-part 50
+good info part.skel
+says '^components +2'
+good compare graph.polylines.txt graph.skel
+says '^hausdorff +(0|[0-9.]+e-1[0-9]) '
+"$marrow" compare graph.skel - --from vtp <graph.vtp | grep -q '^same topology' || fail "compare in a pipe"
+printf 'n 0 0 0 1\n' >one.graph
+good compare one.graph one.graph
+says '^mean +0 +0 +0'
+
 # --- refusals -------------------------------------------------------------------------------------
+echo broken >broken.skel
+touch empty.graph
 bad 2 'OUT is required' convert graph.skel
 bad 2 'is the input' convert graph.skel graph.skel
 bad 2 '--from' convert - out.skel
@@ -90,6 +123,14 @@ bad 2 '--to' convert graph.skel -
 bad 2 '--radius' convert graph.skel out.skel --radius 0
 bad 2 'swc-split' convert graph.skel out.skel --swc-split
 bad 2 'swc-split' convert graph.skel out.swc --swc-split --capsules
+bad 2 '--spacing' convert graph.skel out.skel --spacing -1
+bad 2 '--simplify' convert graph.skel out.skel --spacing 1 --simplify 1
+bad 7 'raise it' convert graph.skel out.skel --spacing 1e-12
+bad 2 'standard input' compare - - --from skel
+bad 2 'B is required' compare graph.skel
+bad 4 'broken' compare broken.skel graph.skel
+bad 5 '--from' compare odd.name graph.skel
+bad 6 'without nodes' compare empty.graph graph.skel
 bad 3 'none.skel' convert none.skel out.obj
 bad 4 'convert --radius' convert graph.polylines.txt out.skel
 bad 4 'graph.vtp:1' convert graph.vtp out.skel --from skel

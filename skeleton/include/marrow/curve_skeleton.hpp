@@ -69,4 +69,14 @@ std::vector<Branch> branches(const CurveSkeleton& skeleton);
 /// The same for any graph of `nodes` nodes.
 std::vector<Branch> branches(std::size_t nodes, std::span<const CurveSkeleton::Edge> edges);
 
+/// The index of every edge's branch in branches().
+std::vector<std::uint32_t> branch_of_edges(const CurveSkeleton& skeleton);
+
+/// Sum of the lengths of its edges.
+double length_of(const CurveSkeleton& skeleton, const Branch& branch);
+
+/// cycle_count() independent cycles, of which all others are sums: for every edge that closes one,
+/// in their order, the way back through a breadth-first tree. Each repeats its first node.
+std::vector<Branch> cycle_basis(const CurveSkeleton& skeleton);
+
 }  // namespace marrow

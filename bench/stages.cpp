@@ -127,7 +127,8 @@ void run_cycle_check(const Workload& w) {
 
 void run_smoothing(const Workload& w) {
   VoteGraph graph =
-      smooth_branches(trim_leaves(w.trace.collapsed, voxel_of(w)), w.options.smoothing_passes);
+      smooth_branches(trim_leaves(cut_hooks(w.trace.collapsed, voxel_of(w)), voxel_of(w)),
+                      w.options.smoothing_passes);
   const Projections projections(w.trace.views);
   for (auto& node : graph.nodes)
     node.radius = std::max(hull_radius(node.position, projections), 0.5 * pixel_of(w));

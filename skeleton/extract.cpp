@@ -310,8 +310,8 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
 
   // 4.4, last paragraph: tips and smoothing.
   record.begin("smoothing", 0.94);
-  graph = record.keep(&Trace::smoothed,
-                      smooth_branches(trim_leaves(graph, voxel), options.smoothing_passes));
+  graph = record.keep(&Trace::smoothed, smooth_branches(trim_leaves(cut_hooks(graph, voxel), voxel),
+                                                        options.smoothing_passes));
   const Projections projections(views);
   if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
 

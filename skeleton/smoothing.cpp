@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kTipSupport = kImages / 2;
 constexpr double kVoxelsBeyond = 2;
+constexpr double kDetour = 2;  // along a hook, times across
 
 void trim_branch(LiveGraph& graph, const LeafBranch& branch, double voxel) {
   const double most = graph.node(branch.leaf()).radius + kVoxelsBeyond * voxel;
@@ -20,14 +21,69 @@ void trim_branch(LiveGraph& graph, const LeafBranch& branch, double voxel) {
   }
 }
 
+/// The leaves of the whole graph: where a branch was cut is no new leaf.
+std::vector<NodeId> leaves_of(const LiveGraph& graph) {
+  std::vector<NodeId> leaves;
+  for (NodeId n = 0; n < graph.size(); ++n)
+    if (graph.degree(n) == 1) leaves.push_back(n);
+  return leaves;
+}
+
+bool balls_overlap(const LiveGraph& graph, NodeId a, NodeId b, double voxel) {
+  return graph.length(a, b) + voxel < graph.node(a).radius + graph.node(b).radius;
+}
+
+/// The place along the branch of the node furthest along that the leaf comes back to; 0: none.
+std::size_t place_passed_twice(const LiveGraph& graph, const LeafBranch& branch, double voxel) {
+  std::size_t last = 0;
+  double along = 0;
+  for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+    along += graph.length(branch.nodes[i - 1], branch.nodes[i]);
+    const double across = graph.length(branch.leaf(), branch.nodes[i]);
+    const bool is_detour = along > kDetour * across + kVoxelsBeyond * voxel;
+    if (is_detour && balls_overlap(graph, branch.leaf(), branch.nodes[i], voxel)) last = i;
+  }
+  return last;
+}
+
+/// The place of the turn between the leaf and what it comes back to.
+std::size_t turn_before(const LiveGraph& graph, const LeafBranch& branch, std::size_t passed) {
+  std::size_t turn = 0;
+  double furthest = 0;
+  for (std::size_t i = 0; i < passed; ++i) {
+    const double across = graph.length(branch.nodes[i], branch.nodes[passed]);
+    if (across > furthest) furthest = across, turn = i;
+  }
+  return turn;
+}
+
+bool runs_into_rest(const LiveGraph& graph, const LeafBranch& branch, std::size_t place,
+                    std::size_t rest, double voxel) {
+  for (std::size_t i = rest; i < branch.nodes.size(); ++i)
+    if (balls_overlap(graph, branch.nodes[place], branch.nodes[i], voxel)) return true;
+  return false;
+}
+
+void cut_hook(LiveGraph& graph, const LeafBranch& branch, double voxel) {
+  const std::size_t passed = place_passed_twice(graph, branch, voxel);
+  const std::size_t turn = passed > 0 ? turn_before(graph, branch, passed) : 0;
+  for (std::size_t i = 0; i < turn; ++i)
+    if (!runs_into_rest(graph, branch, i, turn, voxel)) return;
+  for (std::size_t i = 0; i < turn; ++i) graph.remove_node(branch.nodes[i]);
+}
+
 }  // namespace
+
+VoteGraph cut_hooks(const VoteGraph& graph, double voxel) {
+  LiveGraph live(graph);
+  for (const NodeId n : leaves_of(live))
+    if (live.alive(n) && live.degree(n) == 1) cut_hook(live, trace_leaf_branch(live, n), voxel);
+  return live.result();
+}
 
 VoteGraph trim_leaves(const VoteGraph& graph, double voxel) {
   LiveGraph live(graph);
-  std::vector<NodeId> leaves;  // of the whole graph: where a branch was trimmed is no new leaf
-  for (NodeId n = 0; n < live.size(); ++n)
-    if (live.degree(n) == 1) leaves.push_back(n);
-  for (const NodeId n : leaves) {
+  for (const NodeId n : leaves_of(live)) {
     if (!live.alive(n) || live.degree(n) != 1) continue;
     LeafBranch branch = trace_leaf_branch(live, n);
     // A part that is a single path keeps its middle.

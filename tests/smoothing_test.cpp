@@ -57,6 +57,41 @@ TEST_CASE("a branch never goes as a whole", "[smoothing]") {
   CHECK(joint_count(counts_of(trimmed)) == 1);
 }
 
+/// Two arms along x and a limb along y that ends at y = 1, and comes back by `back` at x = `apart`.
+VoteGraph hooked(double back, double apart) {
+  const Pen pen{0.01, 0.1, 42};
+  VoteGraph graph;
+  const NodeId left = add_node(graph, {-1, 0, 0}, pen);
+  const NodeId joint = draw(graph, left, {0, 0, 0}, pen);
+  draw(graph, joint, {1, 0, 0}, pen);
+  const NodeId end = draw(graph, joint, {0, 1, 0}, pen);
+  const NodeId turn = draw(graph, end, {apart, 1, 0}, pen);
+  draw(graph, turn, {apart, 1 - back, 0}, pen);
+  return graph;
+}
+
+TEST_CASE("a limb's line that comes back ends at the turn", "[smoothing]") {
+  const VoteGraph cut = cut_hooks(hooked(0.4, 0.1), kVoxel);
+  CHECK(highest(cut) == Approx(1));
+  CHECK(leaf_count(counts_of(cut)) == 3);
+  CHECK(component_count(counts_of(cut)) == 1);
+  double lowest_of_hook = 1;
+  for (const auto& n : cut.nodes)
+    if (n.position.x > 0.05 && n.position.y > 0.1)
+      lowest_of_hook = std::min(lowest_of_hook, n.position.y);
+  CHECK(lowest_of_hook > 0.95);
+}
+
+TEST_CASE("lines of two limbs side by side are no hook", "[smoothing]") {
+  const auto is_whole = [](const VoteGraph& graph) {
+    return cut_hooks(graph, kVoxel).nodes == graph.nodes;
+  };
+  CHECK(is_whole(hooked(0.4, 0.2)));   // their balls touch
+  CHECK(is_whole(hooked(0.02, 0.1)));  // an end that bends
+  CHECK(is_whole(arms(0)));
+  CHECK_FALSE(is_whole(hooked(0.4, 0.1)));
+}
+
 TEST_CASE("a weak path keeps its middle", "[smoothing]") {
   VoteGraph path;
   draw(path, add_node(path, {-0.05, 0, 0}, {0.01, 0.5, 1}), {0.05, 0, 0}, {0.01, 0.5, 1});

@@ -1,5 +1,6 @@
 #include "extraction.hpp"
 
+#include <marrow/directions_io.hpp>
 #include <marrow/parts.hpp>
 #include <marrow/volume_summary.hpp>
 
@@ -60,6 +61,17 @@ void add_extraction_options(CLI::App& verb, ExtractionRequest& request) {
       ->check(CLI::IsMember({"none", "hull", "surface"}).description(""))
       ->type_name("none|hull|surface")
       ->capture_default_str();
+  verb.add_option_function<std::string>(
+          "--views",
+          [&request](const std::string& views) {
+            request.views = views;
+            request.directions.clear();
+            if (views != "21" && views != "81") request.directions = read_directions(views);
+          },
+          "Directions to look along: 21, 81 (three to four times the work), or those of a text\n"
+          "file, one 'x y z' a line in the coordinates of the shape, 1 to 1024")
+      ->type_name("21|81|FILE")
+      ->default_str(request.views);
   const auto largest =
       verb.add_flag("--largest", request.largest, "Keep only the part with the longest lines");
   verb.add_option("--min-part", request.min_part,
@@ -85,6 +97,8 @@ ExtractOptions options_of(const ExtractionRequest& request) {
   if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
   if (request.refine == "none") options.refinement = Refinement::None;
   if (request.refine == "hull") options.refinement = Refinement::Hull;
+  if (request.views == "81") options.views = 81;
+  options.directions = request.directions;
   options.max_threads = request.threads;
   return options;
 }
@@ -103,6 +117,9 @@ Statistics describe(const ExtractionRequest& request, bool is_volume) {
   s["closing"] = request.closing;
   s["silhouettes"] = request.silhouettes;
   s["refine"] = request.refine;
+  s["views"] = request.directions.empty() ? std::stoi(request.views)
+                                          : static_cast<int>(request.directions.size());
+  for (const Vec3& d : request.directions) s["directions"].push_back({d.x, d.y, d.z});
   s["largest"] = request.largest;
   s["min_part"] = request.min_part;
   return s;

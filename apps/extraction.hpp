@@ -7,6 +7,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "command.hpp"
 #include "statistics.hpp"
@@ -21,6 +22,8 @@ struct ExtractionRequest {
   int grid = ExtractOptions{}.grid_resolution;
   std::string silhouettes = "scanline";
   std::string refine = "surface";
+  std::string views = "21";
+  std::vector<Vec3> directions;  ///< of a file that --views names
   bool largest = false;
   double min_part = 0;  ///< percent
   int threads = 0;

@@ -31,7 +31,8 @@ namespace marrow {
 namespace {
 
 constexpr int kFirstImage = 256, kFinestImage = 512;  // pixels along a side
-constexpr double kLongestGap = 5;                     // in the sampling of a cloud: spacings
+constexpr std::size_t kMostDirections = 1024;
+constexpr double kLongestGap = 5;  // in the sampling of a cloud: spacings
 
 void check(const ExtractOptions& o) {
   const auto require = [](bool ok, const char* message) {
@@ -43,6 +44,8 @@ void check(const ExtractOptions& o) {
           "the grid resolution must be 16 to 256");
   require(o.closing >= 0 && o.closing <= 24, "the closing must be 0 to 24 pixels");
   require(o.smoothing_passes >= 0, "the number of smoothing passes must not be negative");
+  require(o.views == 21 || o.views == 81, "the number of views must be 21 or 81");
+  require(o.directions.size() <= kMostDirections, "there must be no more than 1024 directions");
   require(o.max_threads >= 0, "the number of threads must not be negative");
 }
 
@@ -116,10 +119,22 @@ Framed in_own_frame(const Volume& volume, const ExtractOptions&) {
   return {frame, apply(frame, boundary_surface(volume))};
 }
 
-/// The 21 stereo pairs, by rays where there is a scene. Each view is one task.
-std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
-                                     int resolution, int threads) {
+/// Where to look from, in the shape's own frame.
+std::vector<Vec3> view_directions(const Normalization& frame, const ExtractOptions& options) {
+  if (!options.directions.empty()) {
+    std::vector<Vec3> directions = distinct_directions(options.directions);
+    for (Vec3& d : directions) d = to_frame(frame.axes, d);
+    return directions;
+  }
+  if (options.views == 81) return fine_hemisphere_directions();
   const auto directions = hemisphere_directions();
+  return {directions.begin(), directions.end()};
+}
+
+/// The stereo pairs, by rays where there is a scene. Each view is one task.
+std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
+                                     const std::vector<Vec3>& directions, int resolution,
+                                     int threads) {
   std::vector<StereoImages> views(directions.size());
   for_each_view(views.size(), threads, [&](std::size_t i) {
     views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution, scene);
@@ -142,10 +157,10 @@ struct DrawnViews {
 
 /// All views; drawn again, and finer, where parts are thinner than a pixel.
 DrawnViews draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
-                      const ExtractOptions& options) {
+                      const std::vector<Vec3>& directions, const ExtractOptions& options) {
   const bool fixed = options.image_resolution > 0;
   const Resolution first{fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
-  auto views = draw_views(shape, scene, first.image, options.max_threads);
+  auto views = draw_views(shape, scene, directions, first.image, options.max_threads);
   const Resolution finer =
       resolution_for(shape.low, shape.high, views, first, fixed ? 0 : kFinestImage);
   if (finer.image > first.image) draw_again(views, shape, scene, finer.image, options.max_threads);
@@ -273,7 +288,7 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
     by_rays = &scene.for_use(SurfaceScene::Use::Images);
   }
   record.begin("views", 0.05);
-  DrawnViews drawn = draw_views(shape, by_rays, options);
+  DrawnViews drawn = draw_views(shape, by_rays, view_directions(frame, options), options);
   const Resolution resolution = record.keep(&Trace::resolution, drawn.resolution);
   const auto views = record.keep(&Trace::views, std::move(drawn.views));
   const double pixel = PixelGrid{resolution.image}.pixel();

@@ -1,4 +1,5 @@
 #include <marrow/visual_hull.hpp>
+#include <marrow/vote_graph.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,11 @@ int thirds_within(double tolerance) {
   int thirds = static_cast<int>(3 * tolerance) + 1;
   while (thirds / 3.0 > tolerance) --thirds;
   return thirds;
+}
+
+/// Images as 42nds of all; a whole threshold asks as much of the one as of the other.
+std::uint8_t support_of(std::size_t images, std::size_t all) {
+  return static_cast<std::uint8_t>(images * kImages / all);
 }
 
 }  // namespace
@@ -45,16 +51,20 @@ VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views) 
   for (Vote vote : votes.votes) {
     const int broad = thirds_within(std::max(tolerance, kBroadTolerance * pixels_of(vote.radius)));
     bool inside = true;
+    std::size_t near = 0, broadly_near = 0;
     for (std::size_t i = 0; i < masks.size() && inside; ++i) {
       const auto [u, v] = project(i, vote.position);
       const int x = nearest(u), y = nearest(v);
       inside = masks[i].contains(x, y) && masks[i](x, y);
       if (!inside) break;
       const int away = project.image(i).to_axis(x, y);
-      if (away <= narrow) ++vote.support;
-      if (away <= broad) ++vote.broad_support;
+      near += away <= narrow;
+      broadly_near += away <= broad;
     }
-    if (inside) cleaned.votes.push_back(vote);
+    if (!inside) continue;
+    vote.support = support_of(near, masks.size());
+    vote.broad_support = support_of(broadly_near, masks.size());
+    cleaned.votes.push_back(vote);
   }
   return cleaned;
 }

@@ -156,6 +156,20 @@ same rays.1.obj rays.8.obj
 good info rays.1.obj
 says '^cycles +1'
 
+# --- viewpoints -----------------------------------------------------------------------------------
+silent extract torus.obj -o again.obj --views 21 --json statistics.json "${quick[@]}"
+same skeleton.obj again.obj
+grep -q '"views": 21' statistics.json || fail "no word about the views"
+silent extract torus.obj -o views.obj --views 81 "${quick[@]}"
+good info views.obj
+says '^cycles +1'
+printf '1 0 0\n0 1 0  # sideways\n0 0 1\n\n1 1 1\n-1 1 1\n' >views.txt
+silent extract torus.obj -o views.obj --views views.txt --json statistics.json "${quick[@]}"
+grep -q '"views": 5' statistics.json || fail "no word about the views"
+printf '1 0 0\n0 1\n' >few.txt
+bad 4 'few.txt:2: ' extract torus.obj -o out.obj --views few.txt
+bad 3 'none.txt' extract torus.obj -o out.obj --views none.txt
+
 # --- standard input and output --------------------------------------------------------------------
 "$marrow" extract - --from obj -o - --to skel "${quick[@]}" <torus.obj >piped.skel || fail "pipe"
 same skeleton.skel piped.skel

@@ -18,7 +18,9 @@ namespace {
 
 /// Shapes whose skeleton is wrong today, and why. One that starts to come out right fails the test
 /// below, so that it is taken off this list.
-const std::set<std::string> kKnownTopologyFailures{};
+const std::set<std::string> kKnownTopologyFailures{
+    "bored-block",  // no image of the default views looks through its bore: viewpoints_test.cpp
+};
 
 /// Shapes whose middle is a matter of taste: a sheet, a wall, a plate.
 const std::set<std::string> kWithoutCentreLine{"plate", "mug", "gingerbread-man"};

@@ -62,5 +62,6 @@ Model make_gingerbread(const Detail& detail);
 // Solids that are not made of round limbs only.
 Model make_plate(const Detail& detail);
 Model make_mug(const Detail& detail);
+Model make_bored_block(const Detail& detail);
 
 }  // namespace marrow

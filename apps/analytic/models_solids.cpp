@@ -1,4 +1,4 @@
-// A flat plate and a mug: solids whose centre lines come from their sections.
+// A flat plate, a mug and a bored block: solids whose centre lines come from their sections.
 #include <algorithm>
 
 #include "models.hpp"
@@ -132,7 +132,46 @@ BoneGraph mug_lines() {
   return graph;
 }
 
+// The block has its sides along the axes; its bore runs along (1, 1, 1), which is as far from the
+// directions of a half sphere of 21 as any.
+const Vec3 kBlock{1.1, 0.8, 0.4};  // half
+constexpr double kBlockRound = 0.1;
+constexpr double kBoreRadius = 0.15;
+
+double block_distance(const Vec3& p) {
+  const auto out = [](double c, double half) { return std::abs(c) - half + kBlockRound; };
+  const double x = out(p.x, kBlock.x), y = out(p.y, kBlock.y), z = out(p.z, kBlock.z);
+  const Vec3 away{std::max(x, 0.0), std::max(y, 0.0), std::max(z, 0.0)};
+  return length(away) + std::min(std::max({x, y, z}), 0.0) - kBlockRound;
+}
+
+double bore_distance(const Vec3& p) {
+  const double along = (p.x + p.y + p.z) / 3;
+  return kBoreRadius - length(p - Vec3{along, along, along});
+}
+
+/// Once around the bore, half way to the sides.
+CurveSkeleton bore_line() {
+  constexpr int kNodes = 64;
+  CurveSkeleton line;
+  for (int i = 0; i < kNodes; ++i) {
+    const SinCos at = sin_cos_of_turns(static_cast<double>(i) / kNodes);
+    const Vec3 place{0.66 * at.cos, 0.48 * at.sin, 0};
+    line.nodes.push_back({place, -std::max(block_distance(place), bore_distance(place))});
+    if (i > 0) line.edges.push_back({static_cast<NodeId>(i - 1), static_cast<NodeId>(i)});
+  }
+  line.edges.insert(line.edges.begin() + 1, {0, kNodes - 1});
+  return line;
+}
+
 }  // namespace
+
+Model make_bored_block(const Detail& detail) {
+  constexpr double kCrease = 0.06;
+  const auto field = make_field(
+      [](const Vec3& p) { return smooth_max(block_distance(p), bore_distance(p), kCrease); });
+  return {polygonise(*field, {-kBlock, kBlock}, detail.size(0.035)), bore_line()};
+}
 
 Model make_plate(const Detail& detail) {
   const double x = kHoleStep + kOuterRadius;

@@ -1,15 +1,24 @@
-// Where we look from (section 4.1): 21 directions, and a stereo pair of images for each.
+// Where we look from (section 4.1): directions, and a stereo pair of images for each.
 #pragma once
 
 #include <marrow/vec.hpp>
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace marrow {
 
 /// The 42 vertices of the once subdivided icosahedron, one of each antipodal pair: unit vectors.
 std::span<const Vec3> hemisphere_directions();
+
+/// The same of the twice subdivided icosahedron: 81, those of hemisphere_directions() first.
+std::vector<Vec3> fine_hemisphere_directions();
+
+/// `directions` as unit vectors, in their order; one that is within 1e-6 of an earlier one, or of
+/// its opposite, is left out: it sees the same silhouettes. Throws Error: Usage (one is zero or not
+/// finite).
+std::vector<Vec3> distinct_directions(std::span<const Vec3> directions);
 
 /// The axes of one image in the normalised frame: columns grow along u, rows along v.
 struct ViewPlane {

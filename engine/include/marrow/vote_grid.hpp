@@ -50,7 +50,7 @@ struct Vote {
   std::uint32_t voxel = 0;
   std::uint32_t count = 0;         ///< matches
   ChamferDistance radius = 0;      ///< least of the distances matched here
-  std::uint8_t support = 0;        ///< of the 42 images, those whose medial axis passes here
+  std::uint8_t support = 0;        ///< of 42: the share of the images whose medial axis passes
   std::uint8_t broad_support = 0;  ///< the same, with a tolerance that grows with the radius
   Vec3 position;                   ///< mean of the exact positions matched here
 

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace marrow {
 
@@ -21,13 +22,18 @@ enum class SilhouetteMethod {
 };
 
 struct ExtractOptions {
-  int image_resolution = 0;   ///< pixels along a side of each of the 42 images, 64 to 1024; 0: 256,
+  int image_resolution = 0;   ///< pixels along a side of each image, 64 to 1024; 0: 256,
                               ///< or 512 where parts are thinner than a pixel
   int grid_resolution = 128;  ///< voxels along the longest side of the shape, 16 to 256; thin
                               ///< shapes and parts get up to 192
   double closing = 0;  ///< of point clouds: radius in pixels of one closing of all silhouettes, 0
                        ///< to 24; 0: discs that follow the density of the points
   int smoothing_passes = 5;  ///< 0 and up
+  int views = 21;  ///< directions to look along, two images each: 21, or 81 for three to four times
+                   ///< the work; they turn with the shape
+  /// Directions to look along instead, 1 to 1024, in the coordinates of the shape; of any length.
+  /// One that is parallel to an earlier one is left out.
+  std::vector<Vec3> directions;
   SilhouetteMethod silhouettes = SilhouetteMethod::Scanline;
   Refinement refinement = Refinement::Surface;
   int max_threads = 0;  ///< 0: as many as the machine has; the result does not depend on it

@@ -30,8 +30,8 @@ class Projections {
 };
 
 /// Drops every vote whose mean position falls outside a silhouette by more than a pixel, and gives
-/// the others their support: the number of images whose medial axis passes within 0.9 voxels (at
-/// least a pixel). The broad support allows a fifth of the radius.
+/// the others their support: the images whose medial axis passes within 0.9 voxels (at least a
+/// pixel), in 42nds of all. The broad support allows a fifth of the radius.
 VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views);
 
 /// Voxels whose centre lies inside all silhouettes, without the outermost layer of the grid, which

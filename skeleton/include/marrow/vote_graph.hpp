@@ -8,7 +8,8 @@
 
 namespace marrow {
 
-/// How many images a vote can be supported by.
+/// The support of a vote that all images support. It is counted in 42nds of the images, rounded
+/// down, so that what is asked of it means the same however many there are.
 inline constexpr int kImages = 42;
 
 /// Voxels and the edges between them.
@@ -16,7 +17,7 @@ struct VoteGraph {
   struct Node {
     Vec3 position;          ///< normalised frame
     double radius = 0;      ///< of the ball that the matches promise, normalised frame
-    int support = 0;        ///< of the 42 images, those whose medial axis passes here
+    int support = 0;        ///< of 42: the share of the images whose medial axis passes here
     int broad_support = 0;  ///< the same, with a tolerance that grows with the radius
     std::uint32_t voxel = 0;
 

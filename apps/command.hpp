@@ -12,6 +12,7 @@
 namespace marrow {
 
 /// Each adds one verb; it runs at the end of CLI::App::parse() and throws marrow::Error.
+void add_batch_command(CLI::App& program);
 void add_extract_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
@@ -19,7 +20,13 @@ void add_info_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_make_command(CLI::App& program);
 void add_map_command(CLI::App& program);
+void add_merge_command(CLI::App& program);
 void add_render_command(CLI::App& program);
+
+/// Thrown to end the program with this status, when all is said.
+struct ExitStatus {
+  int value = 0;
+};
 
 /// Version of the program and of the libraries in it, a line each.
 std::string version_text();
@@ -33,6 +40,10 @@ CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::str
 /// The names that --from takes for a shape, a cloud or a volume, and with skeletons too.
 std::vector<std::string> input_formats();
 std::vector<std::string> input_and_skeleton_formats();
+
+/// The format that the extension of a path names: what is compressed shows in the bytes, so .gz does
+/// not count; and "polylines" for .polylines.txt.
+std::string input_format_of(const std::string& path);
 
 /// A file as it was read, before anything is known about its words.
 struct InputFile {

@@ -111,7 +111,11 @@ void run_extract(const ExtractRequest& request) {
   InputFile input = read_input(request.shape, request.from, request.limits.read);
   const auto shape = shape_or_volume_of(input, request.extraction.volume);
   const bool with_json = !request.json.empty();
-  const Statistics about_input = with_json ? describe(input, shape) : Statistics();
+  Statistics about_input;
+  if (with_json) {
+    about_input = describe(input);
+    about_input.update(describe_size(shape));
+  }
   std::string().swap(input.bytes);  // as large as the shape
   Extraction extraction =
       std::visit([&](const auto& any) { return run_stages(request, input, any, progress); }, shape);

@@ -4,21 +4,11 @@
 #include <marrow/parts.hpp>
 #include <marrow/volume_summary.hpp>
 
-#include <cstdint>
-#include <cstdio>
+#include "hash.hpp"
 
 namespace marrow {
 
 namespace {
-
-/// 64 bits of FNV-1a: names the input without a library for it; no protection against intent.
-std::string hash_of(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return std::string("fnv1a64:") + digits;
-}
 
 void add_size(Statistics& s, const Shape& shape) {
   s["points"] = shape.points.size();
@@ -125,12 +115,17 @@ Statistics describe(const ExtractionRequest& request, bool is_volume) {
   return s;
 }
 
-Statistics describe(const InputFile& input, const std::variant<Shape, Volume>& shape) {
+Statistics describe(const InputFile& input) {
   Statistics s;
   s["file"] = input.name;
   s["format"] = input.format;
   s["bytes"] = input.bytes.size();
   s["hash"] = hash_of(input.bytes);
+  return s;
+}
+
+Statistics describe_size(const std::variant<Shape, Volume>& shape) {
+  Statistics s;
   std::visit([&](const auto& any) { add_size(s, any); }, shape);
   return s;
 }

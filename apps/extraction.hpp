@@ -40,6 +40,8 @@ CurveSkeleton kept_parts(const ExtractionRequest& request, CurveSkeleton skeleto
 
 /// What the skeleton depends on: the options, and the input with its hash.
 Statistics describe(const ExtractionRequest& request, bool is_volume);
-Statistics describe(const InputFile& input, const std::variant<Shape, Volume>& shape);
+Statistics describe(const InputFile& input);
+/// Points and triangles, or voxels.
+Statistics describe_size(const std::variant<Shape, Volume>& shape);
 
 }  // namespace marrow

@@ -18,17 +18,6 @@ namespace fs = std::filesystem;
 
 std::string name_of(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-/// The extension, without the one of gzip behind it: what is compressed shows in the bytes; and
-/// "polylines" for .polylines.txt.
-std::string format_of(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == "txt" && extension_of(path.substr(0, path.size() - 4)) == "polylines")
-    return "polylines";
-  if (extension != "gz") return extension;
-  const std::string inner = extension_of(path.substr(0, path.size() - 3));
-  return inner.empty() ? extension : inner;
-}
-
 /// What parse_shape() reads.
 std::vector<std::string> shape_formats() {
   return {"obj", "ply", "stl", "off", "xyz", "pts", "txt", "asc", "csv", "pcd"};
@@ -103,12 +92,21 @@ std::vector<std::string> input_and_skeleton_formats() {
   return formats;
 }
 
+std::string input_format_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == "txt" && extension_of(path.substr(0, path.size() - 4)) == "polylines")
+    return "polylines";
+  if (extension != "gz") return extension;
+  const std::string inner = extension_of(path.substr(0, path.size() - 3));
+  return inner.empty() ? extension : inner;
+}
+
 InputFile read_input(const std::string& path, const std::string& from, const ReadOptions& limits) {
   if (path == "-" && from.empty())
     throw Error(ErrorKind::Usage, "standard input has no extension; say --from FORMAT");
   try {
-    return {name_of(path), from.empty() ? format_of(path) : from, read_file(path, limits.max_bytes),
-            limits};
+    return {name_of(path), from.empty() ? input_format_of(path) : from,
+            read_file(path, limits.max_bytes), limits};
   } catch (const Error& e) {
     throw_with_option(e, "--max-file");
   }

@@ -25,7 +25,7 @@ constexpr const char* kExamples =
     "\n"
     "Exit status: 0 done, 1 internal error, 2 usage, 3 cannot read, 4 malformed file,\n"
     "5 unsupported, 6 nothing to skeletonise, 7 a limit was hit, 8 cannot write,\n"
-    "10 a check failed.\n";
+    "9 a batch ended with failures, 10 a check failed.\n";
 
 void set_up(CLI::App& program) {
   program.name("marrow");
@@ -33,6 +33,7 @@ void set_up(CLI::App& program) {
   program.footer(kExamples);
   program.set_version_flag("--version", version_text, "Versions of marrow and its libraries");
   program.require_subcommand(1);
+  add_batch_command(program);
   add_extract_command(program);
   add_compare_command(program);
   add_convert_command(program);
@@ -40,6 +41,7 @@ void set_up(CLI::App& program) {
   add_check_command(program);
   add_make_command(program);
   add_map_command(program);
+  add_merge_command(program);
   add_render_command(program);
 }
 
@@ -81,6 +83,8 @@ int main(int argc, char** argv) {
   try {
     run(argc, argv);
     return 0;
+  } catch (const ExitStatus& status) {
+    return status.value;
   } catch (const Error& e) {
     return fail(e.kind(), one_line(e.what()).c_str());
   } catch (const std::bad_alloc&) {

@@ -19,13 +19,13 @@ bool is_set(const char* variable) {
   return value && *value;
 }
 
+}  // namespace
+
 bool terminal_wants_a_bar() {
   const char* terminal = std::getenv("TERM");
   return ::isatty(STDERR_FILENO) == 1 && !is_set("NO_COLOR") && !is_set("CI") && terminal &&
          std::string_view(terminal) != "dumb";
 }
-
-}  // namespace
 
 Progress::Progress(bool quiet) : wanted_(!quiet && terminal_wants_a_bar()) {}
 

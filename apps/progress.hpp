@@ -23,9 +23,12 @@ struct StageTime {
   double seconds = 0;
 };
 
-/// A bar on standard error, when that is a terminal, nobody asked for quiet (by --quiet or by
-/// NO_COLOR, CI or TERM=dumb in the environment) and the work takes longer than half a second.
-/// It is gone when the work is done.
+/// Whether standard error is a terminal, and NO_COLOR, CI or TERM=dumb in the environment do not
+/// ask for quiet.
+bool terminal_wants_a_bar();
+
+/// A bar on standard error, when a terminal wants one, nobody asked for quiet and the work takes
+/// longer than half a second. It is gone when the work is done.
 class Progress {
  public:
   explicit Progress(bool quiet);

@@ -87,10 +87,18 @@ int write_all(int fd, std::string_view bytes) {
   return 0;
 }
 
-void write_in_place(const std::string& path, std::string_view bytes) {
+using Pieces = std::function<std::string_view()>;
+
+int write_all(int fd, const Pieces& next) {
+  for (std::string_view piece = next(); !piece.empty(); piece = next())
+    if (const int error = write_all(fd, piece)) return error;
+  return 0;
+}
+
+void write_in_place(const std::string& path, const Pieces& next) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOCTTY));
   if (!file.is_open()) cannot_write(path, reason(errno));
-  if (const int error = write_all(file.get(), bytes)) cannot_write(path, reason(error));
+  if (const int error = write_all(file.get(), next)) cannot_write(path, reason(error));
   if (!file.close()) cannot_write(path, reason(errno));
 }
 
@@ -183,9 +191,9 @@ class TemporaryFile {
     temporary_names.forget(slot_);
   }
 
-  void write(std::string_view bytes) {
+  void write(const Pieces& next) {
     fail_if(error_);
-    fail_if(write_all(fd_, bytes));
+    fail_if(write_all(fd_, next));
   }
   void copy_permissions_of(const struct stat& existing) {
     if (error_ == 0 && ::fchmod(fd_, existing.st_mode & 07777) != 0) fail_if(errno);
@@ -208,12 +216,12 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-void replace_file(const std::string& target, const struct stat* existing, std::string_view bytes) {
+void replace_file(const std::string& target, const struct stat* existing, const Pieces& next) {
   // Renaming would replace a file that says "read only" without asking.
   if (existing && ::access(target.c_str(), W_OK) != 0) cannot_write(target, reason(errno));
   TemporaryFile file(target);
   if (existing) file.copy_permissions_of(*existing);
-  file.write(bytes);
+  file.write(next);
   file.rename_to_target();
 }
 
@@ -242,9 +250,13 @@ std::string read_file(const std::string& path, std::uint64_t max_bytes) {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
+  write_file(path, [&] { return std::exchange(bytes, {}); });
+}
+
+void write_file(const std::string& path, const Pieces& next) {
   // Opening /dev/stdout again would write from the start of a file that others append to.
   if (path == "-" || path == "/dev/stdout") {
-    if (const int error = write_all(STDOUT_FILENO, bytes))
+    if (const int error = write_all(STDOUT_FILENO, next))
       cannot_write("standard output", reason(error));
     return;
   }
@@ -252,10 +264,10 @@ void write_file(const std::string& path, std::string_view bytes) {
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) cannot_write(path, "it is a folder");
-  if (exists && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
+  if (exists && !S_ISREG(status.st_mode)) return write_in_place(path, next);
   const Destination destination = follow_links(path);
-  if (destination.is_open_file) return write_in_place(path, bytes);
-  replace_file(destination.path, exists ? &status : nullptr, bytes);
+  if (destination.is_open_file) return write_in_place(path, next);
+  replace_file(destination.path, exists ? &status : nullptr, next);
 }
 
 void remove_temporaries() noexcept { temporary_names.remove_all(); }

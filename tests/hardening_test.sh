@@ -34,7 +34,7 @@ for wrong in -1 many 1X '' 99999999999G; do
 done
 bad 2 '--max-faces' info torus.obj --max-faces -1
 bad 2 '--timeout' info torus.obj --timeout -1
-for verb in extract info render; do
+for verb in batch extract info render; do
   "$marrow" "$verb" --help >stdout
   for option in '--max-file SIZE' '--max-faces N' '--timeout SECONDS'; do
     grep -qF -- "$option" stdout || fail "$verb --help does not tell of $option"

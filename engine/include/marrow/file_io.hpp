@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,10 @@ std::string read_file(const std::string& path, std::uint64_t max_bytes = std::ui
 /// its permissions. Devices and pipes (/dev/stdout, /dev/null) are written to in place; "-" is
 /// standard output. Throws Error: CannotWrite, and leaves nothing behind.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// The same for bytes that come in pieces: `next` is called until it gives an empty one. A piece
+/// must last until the next call.
+void write_file(const std::string& path, const std::function<std::string_view()>& next);
 
 /// Removes the temporary files of every write_file() under way in this process. For programs that
 /// are told to end: safe in a signal handler, and only sensible right before _exit().

@@ -3,6 +3,7 @@
 #include <marrow/surface_sides.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -51,9 +52,12 @@ class CycleCheck {
         surface_(shape),
         voxel_(voxel),
         outside_(static_cast<std::size_t>(smooth_.link_count())),
-        bridge_(outside_.size(), false),
+        changed_(outside_.size()),
+        bridge_(smooth_.bridges()),
         place_of_(outside_.size()),
-        verdicts_(outside_.size()) {}
+        verdicts_(outside_.size()) {
+    std::iota(changed_.begin(), changed_.end(), 0);
+  }
 
   VoteGraph cut() {
     for (;;) {
@@ -83,7 +87,7 @@ class CycleCheck {
 
   void forget(int changed) {
     outside(changed).reset();
-    take_out(changed);
+    changed_.push_back(changed);
     for (auto& v : verdicts_)
       if (std::find(v.cycle.begin(), v.cycle.end(), changed) != v.cycle.end()) v.cycle.clear();
   }
@@ -94,20 +98,28 @@ class CycleCheck {
     place_changed(bridges_too);
     while (!places_.empty()) {
       const int first = places_.begin()->second;
-      if (outside(first)->is_known()) return first;
-      outside(first)->ask(surface_, voxel_);
-      place(first);
+      if (!is_bridge(first) && has_become_bridge(first)) {
+        bridge_[static_cast<std::size_t>(first)] = true;
+        changed_.push_back(first);
+        place_changed(bridges_too);
+      } else if (outside(first)->is_known()) {
+        return first;
+      } else {
+        outside(first)->ask(surface_, voxel_);
+        place(first);
+      }
     }
     return {};
   }
 
-  /// Places the links that are new, or have become bridges.
+  bool has_become_bridge(int l) const {
+    const auto& link = smooth_.link(l);
+    return link.a != link.b && smooth_.shortest_way_around(l).empty();
+  }
+
   void place_changed(bool bridges_too) {
-    const auto before = std::exchange(bridge_, smooth_.bridges());
     std::vector<int> links;
-    for (int l = 0; l < smooth_.link_count(); ++l) {
-      if (!smooth_.link(l).alive) continue;
-      if (outside(l) && before[static_cast<std::size_t>(l)] == is_bridge(l)) continue;
+    for (const int l : std::exchange(changed_, {})) {
       take_out(l);
       if (is_bridge(l) && !bridges_too) continue;
       if (can_be_cut(smooth_.link(l), is_bridge(l))) links.push_back(l);
@@ -222,7 +234,8 @@ class CycleCheck {
   SurfaceSides surface_;
   double voxel_;
   std::vector<std::optional<LineOutside>> outside_;  // of every link, where it is known
-  std::vector<bool> bridge_;
+  std::vector<int> changed_;                         // links that are out of their places
+  std::vector<bool> bridge_;  // of every link, as far as it is known: cuts only make more
   std::vector<std::optional<double>> place_of_;
   std::set<std::pair<double, int>> places_;  // of links that may be outside: how far, negated
   std::vector<CycleVerdict> verdicts_;       // of every link's shortest cycle

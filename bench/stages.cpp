@@ -116,7 +116,8 @@ VoteGraph collapse(const Workload& w) {
 void run_branch_collapse(const Workload& w) { keep(collapse(w)); }
 
 void run_cycle_check(const Workload& w) {
-  VoteGraph graph = cut_false_cycles(w.unchecked, w.normalized, voxel_of(w));
+  SurfaceSides surface(w.normalized);
+  VoteGraph graph = cut_false_cycles(w.unchecked, surface, voxel_of(w));
   if (w.normalized.oriented && graph.edges.size() >= graph.nodes.size()) {
     const ShapeSummary summary = summarize(w.shape);
     if (summary.components == 1 && summary.handles)

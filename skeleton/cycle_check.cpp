@@ -1,6 +1,5 @@
 #include <marrow/cycle_check.hpp>
 #include <marrow/smoothing.hpp>
-#include <marrow/surface_sides.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -46,10 +45,10 @@ class CycleCheck {
  public:
   // The lines of voxels wiggle and would leave thin limbs here and there: the surface is asked
   // along the smoothed ones, which have the same links.
-  CycleCheck(const VoteGraph& graph, const NormalizedShape& shape, double voxel)
+  CycleCheck(const VoteGraph& graph, SurfaceSides& surface, double voxel)
       : graph_(graph),
         smooth_(smooth_branches(graph, kSmoothingPasses)),
-        surface_(shape),
+        surface_(surface),
         voxel_(voxel),
         outside_(static_cast<std::size_t>(smooth_.link_count())),
         changed_(outside_.size()),
@@ -231,7 +230,7 @@ class CycleCheck {
   }
 
   BranchGraph graph_, smooth_;
-  SurfaceSides surface_;
+  SurfaceSides& surface_;
   double voxel_;
   std::vector<std::optional<LineOutside>> outside_;  // of every link, where it is known
   std::vector<int> changed_;                         // links that are out of their places
@@ -243,14 +242,14 @@ class CycleCheck {
 
 }  // namespace
 
-VoteGraph cut_false_cycles(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
-  if (shape.is_point_cloud()) return graph;
-  return CycleCheck(graph, shape, voxel).cut();
+VoteGraph cut_false_cycles(const VoteGraph& graph, SurfaceSides& surface, double voxel) {
+  if (surface.shape().is_point_cloud()) return graph;
+  return CycleCheck(graph, surface, voxel).cut();
 }
 
-VoteGraph cut_welds(const VoteGraph& graph, const NormalizedShape& shape, double voxel) {
-  if (shape.is_point_cloud() || BranchGraph(graph).cycle_count() == 0) return graph;
-  return CycleCheck(graph, shape, voxel).cut_welds().value_or(graph);
+VoteGraph cut_welds(const VoteGraph& graph, SurfaceSides& surface, double voxel) {
+  if (surface.shape().is_point_cloud() || BranchGraph(graph).cycle_count() == 0) return graph;
+  return CycleCheck(graph, surface, voxel).cut_welds().value_or(graph);
 }
 
 VoteGraph cut_surplus_cycles(const VoteGraph& graph, int most_cycles) {

@@ -200,9 +200,10 @@ std::optional<int> most_cycles(const Volume& volume, const NormalizedShape&, con
 template <class Input>
 VoteGraph collapse(const VoteGraph& graph, const Input& input,
                    const NormalizedShape& normalized_shape, double voxel) {
-  VoteGraph result = cut_welds(graph, normalized_shape, voxel);
+  SurfaceSides surface(normalized_shape);
+  VoteGraph result = cut_welds(graph, surface, voxel);
   result = cut_short_cycles(collapse_branches(result, voxel), voxel);
-  result = cut_false_cycles(result, normalized_shape, voxel);
+  result = cut_false_cycles(result, surface, voxel);
   if (const auto most = most_cycles(input, normalized_shape, result))
     result = cut_surplus_cycles(result, *most);
   return prune_leaves(result, voxel);

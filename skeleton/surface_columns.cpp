@@ -10,11 +10,11 @@ namespace marrow {
 
 namespace {
 
-constexpr float kMost = 1.01F;               // of a coordinate
-constexpr int kMargin = 4;                   // cells, when columns are filled again
+constexpr float kMost = 1.01F;  // of a coordinate
+constexpr int kMargin = 2;      // cells around, when columns are filled again
+constexpr int kMarginGrowth = 4;
 constexpr int kCoarsest = 18, kCoarser = 2;  // shifts
 constexpr int kWidest = 4;                   // cells along a side of what a level takes
-constexpr std::uint8_t kNowhere = 0xff;
 
 /// As fine as the triangles, as far as their number tells.
 int finest_shift(std::size_t triangles) {
@@ -23,45 +23,38 @@ int finest_shift(std::size_t triangles) {
   return shift;
 }
 
-Vec3 corner(const NormalizedShape& shape, std::size_t i) {
-  return {double{shape.x[i]}, double{shape.y[i]}, double{shape.z[i]}};
-}
-
-/// The cells of all coordinates along one axis: snap_to_lattice(), many at once.
-std::vector<std::int32_t> cells_along(std::span<const float> coordinates,
-                                      const ColumnCells& cells) {
+/// All corners: snap_to_lattice(), many at once.
+std::vector<LatticePoint> snapped_corners(const NormalizedShape& shape) {
   constexpr float kSteps = kLatticeSteps, kRounding = 0x1.8p23f;  // above 2^23 floats are integers
-  std::vector<std::int32_t> result(coordinates.size());
-  const int shift = cells.shift, middle = cells.count / 2;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const float at = std::min(std::max(coordinates[i], -kMost), kMost) * kSteps + kRounding;
-    const int steps = std::bit_cast<std::int32_t>(at) - std::bit_cast<std::int32_t>(kRounding);
-    result[i] = (steps >> shift) + middle;
-  }
+  std::vector<LatticePoint> result(shape.x.size());
+  const auto snap = [=](float coordinate) {
+    const float at = std::min(std::max(coordinate, -kMost), kMost) * kSteps + kRounding;
+    return std::bit_cast<std::int32_t>(at) - std::bit_cast<std::int32_t>(kRounding);
+  };
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = {snap(shape.x[i]), snap(shape.y[i]), snap(shape.z[i])};
   return result;
 }
 
-/// Whether one of `count` cells, `stride` apart, is set up to `reach` cells before or after each.
-void widen_line(const std::uint8_t* in, std::uint8_t* out, int count, std::size_t stride,
-                int reach) {
-  const auto at = [&](int i) { return static_cast<std::size_t>(i) * stride; };
-  int next = 0, last = -1 - reach;  // the last one set, before next
-  for (int i = 0; i < count; ++i) {
-    for (; next < count && next <= i + reach; ++next)
-      if (in[at(next)] != 0) last = next;
-    out[at(i)] = last >= i - reach ? 1 : 0;
-  }
-}
-
+/// The cells with one of `mask` up to `reach` cells away along either side.
 std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& mask, const ColumnCells& cells,
                                   int reach) {
   if (reach == 0) return mask;
-  std::vector<std::uint8_t> rows(mask.size()), all(mask.size());
-  for (int y = 0; y < cells.count; ++y)
-    widen_line(&mask[cells.index(0, y)], &rows[cells.index(0, y)], cells.count, 1, reach);
-  for (int x = 0; x < cells.count; ++x)
-    widen_line(&rows[cells.index(x, 0)], &all[cells.index(x, 0)], cells.count, cells.index(0, 1),
-               reach);
+  const auto count = static_cast<std::size_t>(cells.count),
+             around = static_cast<std::size_t>(reach);
+  std::vector<std::uint8_t> rows(mask.size(), 0), all(mask.size(), 0),
+      padded(count + 2 * around, 0);
+  const auto add = [count](const std::uint8_t* some, std::uint8_t* sum) {
+    for (std::size_t x = 0; x < count; ++x) sum[x] |= some[x];
+  };
+  for (std::size_t row = 0; row < mask.size(); row += count) {
+    if (std::find(&mask[row], &mask[row] + count, 1) == &mask[row] + count) continue;
+    std::copy_n(&mask[row], count, &padded[around]);
+    for (std::size_t k = 0; k <= 2 * around; ++k) add(&padded[k], &rows[row]);
+    const int y = static_cast<int>(row / count);
+    for (int to = std::max(y - reach, 0); to <= std::min(y + reach, cells.count - 1); ++to)
+      add(&rows[row], &all[cells.index(0, to)]);
+  }
   return all;
 }
 
@@ -71,9 +64,11 @@ std::vector<std::uint8_t> coarser(const std::vector<std::uint8_t>& mask, const C
   const auto of = [&](int cell) {
     return ((cell - fine.count / 2) >> (coarse.shift - fine.shift)) + coarse.count / 2;
   };
-  for (int y = 0; y < fine.count; ++y)
-    for (int x = 0; x < fine.count; ++x)
-      if (mask[fine.index(x, y)] != 0) result[coarse.index(of(x), of(y))] = 1;
+  for (int y = 0; y < fine.count; ++y) {
+    const auto first = mask.begin() + static_cast<std::ptrdiff_t>(fine.index(0, y));
+    for (auto at = first; (at = std::find(at, first + fine.count, 1)) != first + fine.count; ++at)
+      result[coarse.index(of(static_cast<int>(at - first)), of(y))] = 1;
+  }
   return result;
 }
 
@@ -81,19 +76,18 @@ std::vector<std::uint8_t> coarser(const std::vector<std::uint8_t>& mask, const C
 /// over, and nearly all are so.
 class NearColumns {
  public:
-  NearColumns(const NormalizedShape& shape, const ColumnCells& cells,
+  NearColumns(std::span<const LatticePoint> corners, const ColumnCells& cells,
               const std::array<std::vector<std::uint8_t>, 3>& filled)
-      : corners_(shape.x.size()) {
+      : corners_(corners.size()) {
     const std::array around{widened(filled[0], cells, kReach), widened(filled[1], cells, kReach),
                             widened(filled[2], cells, kReach)};
-    const auto x = cells_along(shape.x, cells), y = cells_along(shape.y, cells),
-               z = cells_along(shape.z, cells);
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const std::uint64_t near = around[0][cells.index(y[i], z[i])] |
-                                 around[1][cells.index(z[i], x[i])] << 1 |
-                                 around[2][cells.index(x[i], y[i])] << 2;
-      corners_[i] = near << (3 * kField) | static_cast<std::uint64_t>(z[i]) << (2 * kField) |
-                    static_cast<std::uint64_t>(y[i]) << kField | static_cast<std::uint64_t>(x[i]);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const int x = cells.of(corners[i][0]), y = cells.of(corners[i][1]),
+                z = cells.of(corners[i][2]);
+      const std::uint64_t near = around[0][cells.index(y, z)] | around[1][cells.index(z, x)] << 1 |
+                                 around[2][cells.index(x, y)] << 2;
+      corners_[i] = near << (3 * kField) | static_cast<std::uint64_t>(z) << (2 * kField) |
+                    static_cast<std::uint64_t>(y) << kField | static_cast<std::uint64_t>(x);
     }
   }
 
@@ -124,23 +118,15 @@ struct CellRange {
 
   CellRange(const LatticeTriangle& t, std::size_t axis, const ColumnCells& cells) {
     const auto range = [&](std::size_t k) {
-      const auto [low, high] = std::minmax({t[0][k], t[1][k], t[2][k]});
-      return std::pair(cells.of(low), cells.of(high));
+      const std::int32_t a = t[0][k], b = t[1][k], c = t[2][k];
+      return std::pair(cells.of(std::min(std::min(a, b), c)),
+                       cells.of(std::max(std::max(a, b), c)));
     };
     std::tie(x0, x1) = range((axis + 1) % 3);
     std::tie(y0, y1) = range((axis + 2) % 3);
   }
   bool is_small() const { return x1 - x0 < kWidest && y1 - y0 < kWidest; }
 };
-
-/// Calls visit(cell) for the cells of a range that are filled.
-template <class Visit>
-void for_each_filled(const CellRange& range, const ColumnCells& cells,
-                     const std::vector<std::uint8_t>& filled, Visit visit) {
-  for (int y = range.y0; y <= range.y1; ++y)
-    for (int x = range.x0; x <= range.x1; ++x)
-      if (const std::size_t cell = cells.index(x, y); filled[cell] != 0) visit(cell);
-}
 
 }  // namespace
 
@@ -157,9 +143,12 @@ ColumnCells ColumnCells::of_size(int shift) {
   return {shift, 2 * ((most >> shift) + 1)};
 }
 
-SurfaceColumns::SurfaceColumns(const NormalizedShape& shape) : shape_(shape) {
-  for (int shift = finest_shift(shape.triangles.size());; shift += kCoarser) {
-    levels_.push_back({ColumnCells::of_size(shift), {}, {}, {}});
+SurfaceColumns::SurfaceColumns(const NormalizedShape& shape) : shape_(shape) {}
+
+void SurfaceColumns::start() {
+  corners_ = snapped_corners(shape_);
+  for (int shift = finest_shift(shape_.triangles.size());; shift += kCoarser) {
+    levels_.push_back({ColumnCells::of_size(shift), {}, {}, {}, {}});
     if (shift >= kCoarsest) break;
   }
   asked_.fill(Mask(finest().all(), 0));
@@ -167,6 +156,8 @@ SurfaceColumns::SurfaceColumns(const NormalizedShape& shape) : shape_(shape) {
 }
 
 void SurfaceColumns::cover(std::span<const LatticePoint> points) {
+  if (points.empty()) return;
+  if (levels_.empty()) start();
   bool is_missing = false;
   for (const auto& p : points) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -178,7 +169,7 @@ void SurfaceColumns::cover(std::span<const LatticePoint> points) {
   }
   if (!is_missing) return;
   fill();
-  margin_ = std::max(2 * margin_, kMargin);  // so that few fillings reach everything
+  margin_ = std::max(kMarginGrowth * margin_, kMargin);  // so that few fillings reach everything
 }
 
 void SurfaceColumns::fill() {
@@ -190,45 +181,46 @@ void SurfaceColumns::fill() {
   }
   gather_triangles();
   for (auto& level : levels_)
-    for (std::size_t axis = 0; axis < 3; ++axis) sort_into(level, axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) level.sort(axis);
 }
 
 void SurfaceColumns::gather_triangles() {
   triangles_.clear();
-  level_of_.clear();
-  const NearColumns near(shape_, finest(), levels_.front().filled);
-  for (const auto& t : shape_.triangles) {
-    const unsigned axes = near.axes(t);
-    if (axes == 0) continue;
-    const LatticeTriangle corners{snap_to_lattice(corner(shape_, t[0])),
-                                  snap_to_lattice(corner(shape_, t[1])),
-                                  snap_to_lattice(corner(shape_, t[2]))};
-    triangles_.push_back(corners);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::uint8_t level = 0;
-      while (!CellRange(corners, axis, levels_[level].cells).is_small()) ++level;
-      level_of_.push_back((axes >> axis & 1) != 0 ? level : kNowhere);
-    }
-  }
+  const NearColumns near(corners_, finest(), levels_.front().filled);
+  for (const auto& t : shape_.triangles)
+    if (const unsigned axes = near.axes(t); axes != 0)
+      add({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, axes);
 }
 
-void SurfaceColumns::sort_into(Level& level, std::size_t axis) {
-  auto& start = level.start[axis];
-  auto& list = level.triangle[axis];
-  const auto number = static_cast<std::size_t>(&level - levels_.data());
-  const auto for_each_entry = [&](auto visit) {
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      if (level_of_[3 * i + axis] != number) continue;
-      for_each_filled(CellRange(triangles_[i], axis, level.cells), level.cells, level.filled[axis],
-                      [&](std::size_t cell) { visit(cell, static_cast<std::uint32_t>(i)); });
-    }
-  };
+void SurfaceColumns::add(const LatticeTriangle& triangle, unsigned axes) {
+  const auto number = static_cast<std::uint32_t>(triangles_.size());
+  bool is_anywhere = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if ((axes >> axis & 1) == 0) continue;
+    auto level = levels_.begin();
+    CellRange range(triangle, axis, level->cells);
+    while (!range.is_small()) range = CellRange(triangle, axis, (++level)->cells);
+    for (int y = range.y0; y <= range.y1; ++y)
+      for (int x = range.x0; x <= range.x1; ++x) {
+        const std::size_t cell = level->cells.index(x, y);
+        if (level->filled[axis][cell] == 0) continue;
+        level->entries[axis].push_back({static_cast<std::uint32_t>(cell), number});
+        is_anywhere = true;
+      }
+  }
+  if (is_anywhere) triangles_.push_back(triangle);
+}
+
+void SurfaceColumns::Level::sort(std::size_t axis) {
+  auto& list = triangle[axis];
+  list.resize(entries[axis].size());
+  if (list.empty()) return;  // and no start is looked at
   // Ends first, counted down to the starts.
-  start.assign(level.cells.all() + 1, 0);
-  for_each_entry([&](std::size_t cell, std::uint32_t) { ++start[cell]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  list.resize(start.back());
-  for_each_entry([&](std::size_t cell, std::uint32_t i) { list[--start[cell]] = i; });
+  start[axis].assign(cells.all() + 1, 0);
+  for (const auto& e : entries[axis]) ++start[axis][e.cell];
+  std::partial_sum(start[axis].begin(), start[axis].end(), start[axis].begin());
+  for (const auto& e : entries[axis]) list[--start[axis][e.cell]] = e.triangle;
+  entries[axis].clear();
 }
 
 }  // namespace marrow

@@ -58,24 +58,32 @@ class SurfaceColumns {
  private:
   using Mask = std::vector<std::uint8_t>;  // over the cells across one axis
 
+  struct Entry {
+    std::uint32_t cell, triangle;
+  };
+
   /// Triangles of about the size of its cells, and smaller ones in the finest.
   struct Level {
     ColumnCells cells;
     std::array<Mask, 3> filled;
+    std::array<std::vector<Entry>, 3> entries;                  // before they are sorted
     std::array<std::vector<std::uint32_t>, 3> start, triangle;  // lists of all cells, end to end
+
+    void sort(std::size_t axis);
   };
 
   void fill();
+  void start();
   void gather_triangles();
-  void sort_into(Level& level, std::size_t axis);
+  void add(const LatticeTriangle& triangle, unsigned axes);
   const ColumnCells& finest() const { return levels_.front().cells; }
 
   const NormalizedShape& shape_;
+  std::vector<LatticePoint> corners_;
   int margin_ = 0;  // cells filled around those asked for
   std::array<Mask, 3> asked_;
   std::vector<Level> levels_;  // the finest first, each four times as coarse as the one before
   std::vector<LatticeTriangle> triangles_;
-  std::vector<std::uint8_t> level_of_;  // of each of them and each axis
 };
 
 }  // namespace marrow

@@ -25,20 +25,22 @@ struct Crossing {
 Crossing crossing(const LatticeTriangle& t, const LatticePoint& p, std::size_t axis) {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto at = [&](std::size_t i, std::size_t k) { return std::int64_t{t[i][k]} - p[k]; };
-  Crossing c;
-  c.area =
-      (at(1, u) - at(0, u)) * (at(2, v) - at(0, v)) - (at(2, u) - at(0, u)) * (at(1, v) - at(0, v));
-  if (c.area == 0) return c;
-  const std::int64_t turn = c.area < 0 ? -1 : 1;
+  // Twice the areas between the point and the edges, each with the corner across from it.
+  const auto part = [&](std::size_t a, std::size_t b) {
+    return at(a, u) * at(b, v) - at(b, u) * at(a, v);
+  };
+  const std::array parts{part(1, 2), part(2, 0), part(0, 1)};
+  const std::int64_t any = parts[0] | parts[1] | parts[2];
+  const std::int64_t area = parts[0] + parts[1] + parts[2];
+  if ((any < 0 && (parts[0] > 0 || parts[1] > 0 || parts[2] > 0)) || area == 0) return {};
+  const std::int64_t turn = area < 0 ? -1 : 1;
+  Crossing c{0, turn * area, static_cast<int>(turn)};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
     const std::int64_t du = turn * (at(b, u) - at(a, u)), dv = turn * (at(b, v) - at(a, v));
-    const std::int64_t e = dv * at(a, u) - du * at(a, v);
-    if (e < 0 || (e == 0 && !(dv < 0 || (dv == 0 && du > 0)))) return c;
-    c.beyond += e * at(i, axis);
+    if (parts[i] == 0 && !(dv < 0 || (dv == 0 && du > 0))) return {};
+    c.beyond += turn * parts[i] * at(i, axis);
   }
-  c.area *= turn;
-  c.sign = static_cast<int>(turn);
   return c;
 }
 
@@ -75,7 +77,7 @@ PointSide side_of(const LatticePoint& p, const SurfaceColumns& surface) {
 }  // namespace
 
 SurfaceSides::SurfaceSides(const NormalizedShape& shape)
-    : columns_(std::make_unique<SurfaceColumns>(shape)) {}
+    : shape_(shape), columns_(std::make_unique<SurfaceColumns>(shape)) {}
 SurfaceSides::~SurfaceSides() = default;
 
 std::vector<PointSide> SurfaceSides::of(std::span<const Vec3> points) {

@@ -14,7 +14,14 @@ constexpr Pen kLine{0.02, 0.05, 40};
 constexpr Pen kWeak{0.02, 0.05, 12};
 
 VoteGraph cut(const VoteGraph& graph, const Shape& shape, double voxel = kVoxel) {
-  return cut_false_cycles(graph, as_normalized(shape), voxel);
+  const NormalizedShape normalized_shape = as_normalized(shape);
+  SurfaceSides surface(normalized_shape);
+  return cut_false_cycles(graph, surface, voxel);
+}
+
+VoteGraph cut_welds(const VoteGraph& graph, const NormalizedShape& shape) {
+  SurfaceSides surface(shape);
+  return marrow::cut_welds(graph, surface, kVoxel);
 }
 
 int cycles_of(const VoteGraph& graph) { return cycle_count(counts_of(graph)); }
@@ -131,7 +138,7 @@ TEST_CASE("a weld that parts two pieces is cut between joints only", "[cycle_che
 TEST_CASE("before joints merge welds on cycles are cut, and nothing else", "[cycle_check]") {
   const Gate g = narrow(gate_with_weld(kWeak));
   const NormalizedShape shape = as_normalized(g.shape);
-  const VoteGraph result = cut_welds(g.graph, shape, kVoxel);
+  const VoteGraph result = cut_welds(g.graph, shape);
   CHECK(cycles_of(result) == 0);
   CHECK_FALSE(has_node_at(result, {0, -0.4, 0}, 0.05));
   // Without the bar the weld is a bridge, which waits.
@@ -140,12 +147,12 @@ TEST_CASE("before joints merge welds on cycles are cut, and nothing else", "[cyc
     return bridged.nodes[e[0]].position.y > 0.7 && bridged.nodes[e[1]].position.y > 0.7;
   });
   CHECK(cycles_of(bridged) == 0);
-  CHECK(cut_welds(bridged, shape, kVoxel) == bridged);
+  CHECK(cut_welds(bridged, shape) == bridged);
   // A cycle without a hole is no weld.
   const VoteGraph square = square_with_arms(0.3);
   Shape plate;
   add_box(plate, {-1, -1, -0.1}, {1, 1, 0.1});
-  CHECK(cut_welds(square, as_normalized(plate), kVoxel) == square);
+  CHECK(cut_welds(square, as_normalized(plate)) == square);
 }
 
 TEST_CASE("the axis of a cup stays", "[cycle_check]") {

@@ -34,6 +34,8 @@ class SurfaceSides {
   SurfaceSides(const SurfaceSides&) = delete;
   SurfaceSides& operator=(const SurfaceSides&) = delete;
 
+  const NormalizedShape& shape() const { return shape_; }
+
   /// For every point of the normalised frame, what the signed crossings of the surface with the
   /// lines through it say. On a line whose crossings cancel as a whole the point is outside when
   /// those before it cancel too; other lines run through a hole of the surface and have no say. The
@@ -42,6 +44,7 @@ class SurfaceSides {
   std::vector<PointSide> of(std::span<const Vec3> points);
 
  private:
+  const NormalizedShape& shape_;
   std::unique_ptr<SurfaceColumns> columns_;
 };
 

@@ -107,7 +107,7 @@ Statistics work(const WorkerTask& task, int reply, Progress& progress) {
 }
 
 Statistics failure(ErrorKind kind, const std::string& words) {
-  return {{"status", status_of(kind)}, {"error", one_line(words)}};
+  return {{"status", name_of(kind)}, {"error", one_line(words)}};
 }
 
 Statistics result_of(const WorkerTask& task, int reply, Progress& progress) {
@@ -141,28 +141,6 @@ void run_worker(const WorkerTask& task, int reply) {
   for (const auto& [stage, time] : progress.finish()) seconds[stage] = time;
   result["run"]["seconds"] = seconds;
   say(reply, result);
-}
-
-std::string status_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::Usage:
-      return "usage";
-    case ErrorKind::CannotRead:
-      return "cannot-read";
-    case ErrorKind::Malformed:
-      return "malformed";
-    case ErrorKind::Unsupported:
-      return "unsupported";
-    case ErrorKind::Empty:
-      return "empty";
-    case ErrorKind::Limit:
-      return "limit";
-    case ErrorKind::CannotWrite:
-      return "cannot-write";
-    case ErrorKind::Internal:
-      break;
-  }
-  return "internal";
 }
 
 }  // namespace marrow

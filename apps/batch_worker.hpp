@@ -33,7 +33,4 @@ struct WorkerTask {
 /// with their sizes and "skeleton"; "run" with the seconds of each stage.
 void run_worker(const WorkerTask& task, int reply);
 
-/// "done", or what went wrong as one word.
-std::string status_of(ErrorKind kind);
-
 }  // namespace marrow

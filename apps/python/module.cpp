@@ -97,30 +97,6 @@ py::tuple read_shape_arrays(const std::string& path) {
   return py::make_tuple(points, faces);
 }
 
-const char* name_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::Internal:
-      return "internal";
-    case ErrorKind::Usage:
-      return "usage";
-    case ErrorKind::CannotRead:
-      return "cannot read";
-    case ErrorKind::Malformed:
-      return "malformed";
-    case ErrorKind::Unsupported:
-      return "unsupported";
-    case ErrorKind::Empty:
-      return "empty";
-    case ErrorKind::Limit:
-      return "limit";
-    case ErrorKind::CannotWrite:
-      return "cannot write";
-    case ErrorKind::CheckFailed:
-      return "check failed";
-  }
-  return "internal";
-}
-
 /// marrow.Error, a RuntimeError with the attributes `kind` and `status`.
 void bind_error(py::module_& m) {
   static py::exception<Error> type(m, "Error", PyExc_RuntimeError);

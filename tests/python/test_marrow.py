@@ -134,7 +134,7 @@ def test_skeletons_are_made_of_arrays_and_pickled(ring):
     (lambda: marrow.extract_volume(np.zeros((4, 4, 4))), "empty"),
     (lambda: marrow.extract_volume(np.zeros((4, 4, 4), complex)), "unsupported"),
     (lambda: marrow.extract_volume(np.ones((4, 4, 4)), spacing=(1, 0, 1)), "usage"),
-    (lambda: marrow.load("nowhere.skel"), "cannot read"),
+    (lambda: marrow.load("nowhere.skel"), "cannot-read"),
     (lambda: marrow.read_shape("nowhere.xyzzy"), "unsupported"),
     (lambda: marrow.Skeleton([[0, 0, 0]], [1], [[0, 0]]), "malformed"),
     (lambda: marrow.Skeleton([[0, 0, 0]], [0], np.zeros((0, 2))), "malformed"),

@@ -19,6 +19,9 @@ enum class ErrorKind {
   CheckFailed = 10,  ///< of `marrow check`: a figure is not what was asked for
 };
 
+/// "internal", "usage", "cannot-read" and so on.
+const char* name_of(ErrorKind kind);
+
 /// Every failure that a caller can cause is thrown as this type. `what()` is one line that names
 /// the file, the place in it and the mend: "horse.obj:12: vertex index 99 is out of range 1..8;
 /// ...".

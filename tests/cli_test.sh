@@ -59,6 +59,19 @@ grep -q 'torus.obj -> skeleton.obj: .*cycles 1,' stderr || fail "no word about t
 silent render torus.obj skeleton.skel -o picture.png --size 320x240
 [ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "no picture"
 
+silent render torus.obj -o shape.png --size 320x240 --view front
+silent render torus.obj skeleton.skel -o dark.png --size 320x240 --background black
+cmp -s dark.png picture.png && fail "black is white"
+silent render skeleton.skel -o lines.svg --view three-quarter --background '#102030'
+grep -q '<line ' lines.svg || fail "no lines in the SVG"
+grep -q 'fill="#102030"' lines.svg || fail "no background in the SVG"
+grep -q 'id="side"' lines.svg && fail "more than one view in the SVG"
+silent render torus.obj skeleton.skel -o both.svg --size 320x240
+[ "$(grep -c '^<g ' both.svg)" -eq 4 ] || fail "not four views in the SVG"
+silent render --sheet torus.obj skeleton.skel torus.ply skeleton.json skeleton.ply -o sheet.png
+silent render --sheet torus.obj skeleton.skel torus.ply skeleton.json skeleton.ply -o again.png
+same sheet.png again.png
+
 # --- check: figures, and gates with a status of their own -----------------------------------------
 good check torus.obj truth.skel --same-topology --components 1 --cycles 1 --max-outside 0 \
   --max-centredness 0.05 --max-reconstruction 0.3 --min-coverage 99 --max-radius-error 0.2
@@ -265,6 +278,11 @@ bad 2 'resolution' make torus -o out.obj --resolution 0
 bad 2 'no limbs to bend; take one of y ' make torus -o out.obj --pose 1
 bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 20x20
 bad 2 '--size' render torus.obj skeleton.obj -o out.png --size 800
+bad 2 '--background' render torus.obj skeleton.obj -o out.png --background '#12345'
+bad 2 '--background' render torus.obj skeleton.obj -o out.png --background red
+bad 2 '--view' render torus.obj skeleton.obj -o out.png --view below
+bad 2 '--sheet' render torus.obj skeleton.obj torus.ply -o out.png
+bad 5 'a sheet is' render --sheet torus.obj -o out.svg
 bad 2 'standard input' render - - --from obj -o out.png
 bad 3 'none.obj' extract none.obj -o out.obj
 bad 3 'folder.obj' info folder.obj

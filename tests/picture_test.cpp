@@ -334,6 +334,54 @@ TEST_CASE("A skeleton far from the shape does not hide the shape", "[picture]") 
   }
 }
 
+TEST_CASE("One view alone takes the whole picture", "[picture]") {
+  RenderOptions options = small();
+  options.legend = false;
+  const auto ink = [&](ViewChoice view) {
+    options.view = view;
+    const RgbImage image = render_picture(ball(), {}, options);
+    return count_pixels(image, {0, 0, image.width, image.height}, is_ink);
+  };
+  const double radius = 0.5 * 0.86 * options.height;
+  for (const auto view :
+       {ViewChoice::Front, ViewChoice::Side, ViewChoice::Top, ViewChoice::ThreeQuarter})
+    CHECK(ink(view) == Approx(kPi * radius * radius).epsilon(0.02));
+  CHECK(ink(ViewChoice::All) == Approx(kPi * radius * radius).epsilon(0.02));  // a quarter each
+}
+
+TEST_CASE("The background is what is asked for, and words are seen on it", "[picture]") {
+  RenderOptions options = small();
+  options.background = from_bytes(10, 20, 30);
+  const RgbImage dark = render_picture(ball(), rod(), options);
+  const Pixel corner = pixel_of(dark, dark.width - 1, 0);
+  CHECK((corner.r == 10 && corner.g == 20 && corner.b == 30));
+  const Rect legend{0, dark.height - kLegend, dark.width, kLegend};
+  CHECK(count_pixels(dark, legend, [](const Pixel& p) { return p.r > 190; }) > 20);
+}
+
+TEST_CASE("An SVG has a line for every edge and a ball for every end", "[picture]") {
+  const auto count = [](const std::string& text, const std::string& word) {
+    int found = 0;
+    for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+      ++found;
+    return found;
+  };
+  const std::string svg = render_svg(ball(), rod(), legible());
+  CHECK(count(svg, "<g ") == 4);
+  CHECK(count(svg, "<line ") == 2 * 4);    // the body and the line
+  CHECK(count(svg, "<circle ") == 4 * 4);  // both ends, in both
+  CHECK(count(svg, "nan") == 0);
+  CHECK(render_svg(ball(), rod(), legible()) == svg);
+  RenderOptions one{800, 600, ViewChoice::Top, {1, 1, 1}, false};
+  const std::string top = render_svg({}, rod(), one);
+  CHECK(count(top, "<g ") == 1);
+  CHECK(count(top, "<text ") == 0);
+  CHECK(count(render_svg({}, {}, one), "<line ") == 0);
+  // A node at infinity and beyond is somewhere outside.
+  const CurveSkeleton far{{{{-1e300, 0, 0}, 1}, {{1e300, 1, 2}, 2}}, {{0, 1}}};
+  CHECK(count(render_svg(ball(), far, one), "inf") == 0);
+}
+
 TEST_CASE("Sizes of pictures out of range are refused", "[picture]") {
   CHECK(kind_of([] { render_picture({}, {}, {0, 100}); }) == ErrorKind::Usage);
   CHECK(kind_of([] { render_picture({}, {}, {100, 1 << 20}); }) == ErrorKind::Usage);

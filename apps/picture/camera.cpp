@@ -94,6 +94,7 @@ struct Axes {
 constexpr double kSinAround = 0.5735764363510461, kCosAround = 0.8191520442889918;
 constexpr double kSinAbove = 0.3746065934159120, kCosAbove = 0.9271838545667874;
 
+// In the order of ViewChoice.
 constexpr std::array<Axes, 4> kAxes = {
     Axes{"front", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Axes{"side", {0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
     Axes{"top", {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
@@ -131,6 +132,15 @@ std::array<double, 4> scales_of(const std::array<Box, 4>& boxes, const Cells& ce
   const double limit = kMaxEnlarged * *std::min_element(scales.begin(), scales.end());
   for (double& scale : scales) scale = std::min(scale, limit);
   return scales;
+}
+
+/// The view along `axes` with the middle of the box in that of the cell.
+View framed(const Axes& axes, const Box& box, const Rect& cell, double scale) {
+  const Vec3 center = box.center();
+  View view{axes.name, axes.right, axes.up, axes.toward, cell, scale, 0, 0};
+  view.origin_x = cell.left + 0.5 * cell.width - scale * center.x;
+  view.origin_y = cell.top + 0.5 * cell.height + scale * center.y;
+  return view;
 }
 
 }  // namespace
@@ -180,26 +190,24 @@ Vec3 place(const Normalization& pose, const Vec3& p) {
   return within(to_frame(pose.axes, finite - pose.center) / pose.radius, 1000);
 }
 
-std::array<View, 4> four_views(std::span<const Vec3> points, const Rect& area) {
+std::vector<View> views_of(std::span<const Vec3> points, const Rect& area, ViewChoice choice) {
   std::array<Box, 4> boxes;
   for (std::size_t i = 0; i < 4; ++i) {
     const Frame axes{kAxes[i].right, kAxes[i].up, kAxes[i].toward};
     boxes[i] = points.empty() ? Box{{}, {}} : box_along(axes, points);
+  }
+  if (choice != ViewChoice::All) {
+    const auto i = static_cast<std::size_t>(choice);
+    return {framed(kAxes[i], boxes[i], area, fitting_scale(boxes[i].size(), area))};
   }
   const Cells square = divide(area, 2, 2);
   const Cells strip = divide(area, 4, 1);
   const bool upright = scales_of(boxes, strip)[0] > kClearlyLarger * scales_of(boxes, square)[0];
   const Cells& cells = upright ? strip : square;
   const std::array<double, 4> scales = scales_of(boxes, cells);
-
-  std::array<View, 4> views;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Rect& cell = cells[i];
-    const Vec3 center = boxes[i].center();
-    views[i] = {kAxes[i].name, kAxes[i].right, kAxes[i].up, kAxes[i].toward, cell, scales[i], 0, 0};
-    views[i].origin_x = cell.left + 0.5 * cell.width - scales[i] * center.x;
-    views[i].origin_y = cell.top + 0.5 * cell.height + scales[i] * center.y;
-  }
+  std::vector<View> views;
+  for (std::size_t i = 0; i < 4; ++i)
+    views.push_back(framed(kAxes[i], boxes[i], cells[i], scales[i]));
   return views;
 }
 

@@ -48,8 +48,10 @@ struct View {
   }
 };
 
-/// Front, side, top and three-quarter view of `points` (in the pose), laid out in `area` two by two
-/// or, where that shows the front clearly larger, side by side, each scaled to its cell.
-std::array<View, 4> four_views(std::span<const Vec3> points, const Rect& area);
+enum class ViewChoice { Front, Side, Top, ThreeQuarter, All };
+
+/// Views of `points` (in the pose) in `area`. All four are laid out two by two or, where that shows
+/// the front clearly larger, side by side, each scaled to its cell; one alone takes the area.
+std::vector<View> views_of(std::span<const Vec3> points, const Rect& area, ViewChoice choice);
 
 }  // namespace marrow

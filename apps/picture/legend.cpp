@@ -12,14 +12,6 @@
 namespace marrow {
 namespace {
 
-/// Three figures.
-std::string short_number(double value) {
-  std::array<char, 40> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
-  return {text.data(), end.ptr};
-}
-
 /// Writes from left to right along one line.
 class Line {
  public:
@@ -71,21 +63,35 @@ std::string counted(int count, const std::string& one, const std::string& many) 
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-void write_radii(Line& line, const RadiusRange& range) {
+void write_radii(Line& line, const RadiusRange& range, const Colour& ink) {
   const std::string least = short_number(range.least);
   const std::string greatest = short_number(range.greatest);
-  line.write("radius  " + least, kTextColour);
+  line.write("radius  " + least, ink);
   line.skip(5);
   line.bar(range.place_of(range.least), range.place_of(range.greatest),
            least == greatest ? 20 : 80);
   if (least != greatest) {
     line.skip(5);
-    line.write(greatest, kTextColour);
+    line.write(greatest, ink);
   }
   line.skip(24);
 }
 
 }  // namespace
+
+Inks inks_on(const Colour& background) {
+  const float lightness = 0.2126F * background.r + 0.7152F * background.g + 0.0722F * background.b;
+  if (lightness >= 0.5F)
+    return {kTextColour, kFaintTextColour, from_bytes(226, 229, 234), kPaleHaze};
+  return {from_bytes(222, 226, 232), from_bytes(150, 156, 166), from_bytes(70, 74, 82), background};
+}
+
+std::string short_number(double value) {
+  std::array<char, 40> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
 
 float RadiusRange::place_of(double radius) const {
   if (!(greatest > least)) return 0.5F;
@@ -100,24 +106,33 @@ RadiusRange radius_range(const CurveSkeleton& skeleton) {
   return {least->radius, greatest->radius};
 }
 
-void draw_legend(Canvas& canvas, const Rect& area, const CurveSkeleton& skeleton, float dot) {
+LegendCounts legend_counts(const CurveSkeleton& skeleton) {
+  return {counted(static_cast<int>(skeleton.nodes.size()), "node", "nodes"),
+          counted(joint_count(skeleton), "joint", "joints"),
+          counted(leaf_count(skeleton), "leaf", "leaves"),
+          counted(cycle_count(skeleton), "cycle", "cycles"),
+          counted(component_count(skeleton), "component", "components")};
+}
+
+void draw_legend(Canvas& canvas, const Rect& area, const CurveSkeleton& skeleton, float dot,
+                 const Colour& ink) {
+  const LegendCounts counts = legend_counts(skeleton);
   Line line(canvas, area, dot);
   line.skip(8);
-  if (!skeleton.nodes.empty()) write_radii(line, radius_range(skeleton));
-  const auto nodes = static_cast<int>(skeleton.nodes.size());
-  line.write(counted(nodes, "node", "nodes"), kTextColour);
+  if (!skeleton.nodes.empty()) write_radii(line, radius_range(skeleton), ink);
+  line.write(counts.nodes, ink);
   line.skip(18);
   line.ball(kJointColour);
   line.skip(4);
-  line.write(counted(joint_count(skeleton), "joint", "joints"), kTextColour);
+  line.write(counts.joints, ink);
   line.skip(18);
   line.ball(kLeafColour);
   line.skip(4);
-  line.write(counted(leaf_count(skeleton), "leaf", "leaves"), kTextColour);
+  line.write(counts.leaves, ink);
   line.skip(18);
-  line.write(counted(cycle_count(skeleton), "cycle", "cycles"), kTextColour);
+  line.write(counts.cycles, ink);
   line.skip(18);
-  line.write(counted(component_count(skeleton), "component", "components"), kTextColour);
+  line.write(counts.components, ink);
 }
 
 }  // namespace marrow

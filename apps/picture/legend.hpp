@@ -3,6 +3,8 @@
 
 #include <marrow/curve_skeleton.hpp>
 
+#include <string>
+
 #include "picture/image.hpp"
 
 namespace marrow {
@@ -13,6 +15,12 @@ inline constexpr Colour kLeafColour = from_bytes(24, 160, 120);
 inline constexpr Colour kTextColour = from_bytes(60, 64, 74);
 inline constexpr Colour kFaintTextColour = from_bytes(140, 146, 156);
 
+/// What is written and ruled with on a background, light or dark, and what is far away.
+struct Inks {
+  Colour text, faint, rule, haze;
+};
+Inks inks_on(const Colour& background);
+
 /// Least and greatest radius; 0, 0 without nodes.
 struct RadiusRange {
   double least = 0, greatest = 0;
@@ -22,7 +30,17 @@ struct RadiusRange {
 };
 RadiusRange radius_range(const CurveSkeleton& skeleton);
 
+/// Three figures.
+std::string short_number(double value);
+
+/// The counts that the legend names, each with its word: "3 joints".
+struct LegendCounts {
+  std::string nodes, joints, leaves, cycles, components;
+};
+LegendCounts legend_counts(const CurveSkeleton& skeleton);
+
 /// Writes the legend into `area`; `dot` is the size of a dot of the font in pixels.
-void draw_legend(Canvas& canvas, const Rect& area, const CurveSkeleton& skeleton, float dot);
+void draw_legend(Canvas& canvas, const Rect& area, const CurveSkeleton& skeleton, float dot,
+                 const Colour& ink);
 
 }  // namespace marrow

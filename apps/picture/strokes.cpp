@@ -15,7 +15,6 @@ namespace {
 constexpr int kTile = 32;
 constexpr int kSamples = 16;
 constexpr Colour kOutline = from_bytes(28, 26, 40);
-constexpr Colour kHaze = from_bytes(226, 233, 240);
 
 /// As many places across as down, no two in a row or column.
 constexpr std::array<int, kSamples> kSpread = {5, 12, 1, 9,  15, 3,  7, 11,
@@ -30,8 +29,9 @@ struct Sample {
 /// A stroke prepared for many questions: a tube with round ends, seen along z.
 class Brush {
  public:
-  explicit Brush(const Stroke& stroke)
+  Brush(const Stroke& stroke, const Colour& haze)
       : stroke_(stroke),
+        haze_(haze),
         ax_(static_cast<float>(stroke.a.x)),
         ay_(static_cast<float>(stroke.a.y)),
         az_(static_cast<float>(stroke.a.z)),
@@ -126,7 +126,7 @@ class Brush {
   }
 
   Colour hazy(const Colour& colour, float t) const {
-    return mix(colour, kHaze, stroke_.haze_a + t * (stroke_.haze_b - stroke_.haze_a));
+    return mix(colour, haze_, stroke_.haze_a + t * (stroke_.haze_b - stroke_.haze_a));
   }
 
   /// Light from the upper left; picture y points down.
@@ -142,6 +142,7 @@ class Brush {
   }
 
   const Stroke& stroke_;
+  const Colour& haze_;
   float ax_, ay_, az_, dx_, dy_, dz_, radius_;
   float length_ = 0, inverse_ = 0, outline_depth_ = 0;
   bool has_body_ = false;
@@ -189,8 +190,8 @@ void paint_pixel(Pixel& pixel, const Brush& brush, int x, int y) {
   }
 }
 
-void paint_stroke(Pixels& pixels, const Rect& tile, const Stroke& stroke) {
-  const Brush brush(stroke);
+void paint_stroke(Pixels& pixels, const Rect& tile, const Stroke& stroke, const Colour& haze) {
+  const Brush brush(stroke, haze);
   const Rect area = overlap(tile, bounds_of(stroke));
   const float reach = brush.reach() + 0.75F;  // to the farthest corner of a pixel
   for (int y = area.top; y < area.bottom(); ++y) {
@@ -245,7 +246,8 @@ std::vector<std::vector<std::uint32_t>> bin(const Rect& area, int columns, int r
 
 }  // namespace
 
-void draw_strokes(Canvas& canvas, const Rect& area, const std::vector<Stroke>& strokes) {
+void draw_strokes(Canvas& canvas, const Rect& area, const std::vector<Stroke>& strokes,
+                  const Colour& haze) {
   const int columns = (area.width + kTile - 1) / kTile;
   const int rows = (area.height + kTile - 1) / kTile;
   auto tiles = bin(area, columns, rows, strokes);
@@ -259,7 +261,7 @@ void draw_strokes(Canvas& canvas, const Rect& area, const std::vector<Stroke>& s
     const Rect tile = overlap(
         area, {area.left + i % columns * kTile, area.top + i / columns * kTile, kTile, kTile});
     Pixels pixels(std::size_t{kTile} * kTile);
-    for (const std::uint32_t stroke : touching) paint_stroke(pixels, tile, strokes[stroke]);
+    for (const std::uint32_t stroke : touching) paint_stroke(pixels, tile, strokes[stroke], haze);
     blend_tile(canvas, tile, pixels);
   });
 }

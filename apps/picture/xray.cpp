@@ -7,7 +7,6 @@
 namespace marrow {
 namespace {
 
-constexpr Colour kPaper = {1, 1, 1};
 constexpr Colour kLit = from_bytes(214, 226, 236);
 constexpr Colour kShaded = from_bytes(84, 110, 140);
 constexpr Colour kRim = from_bytes(44, 66, 98);
@@ -34,7 +33,8 @@ float light_on(const std::array<float, 3>& normal, const View& view) {
 }
 
 /// What a line of sight shows, front to back.
-Colour shade(const SurfaceTracer& shape, const View& view, std::span<const SurfaceHit> hits) {
+Colour shade(const SurfaceTracer& shape, const View& view, const Colour& paper,
+             std::span<const SurfaceHit> hits) {
   Colour colour;
   float open = 1;  // what is still to be seen behind
   bool first = true;
@@ -52,13 +52,14 @@ Colour shade(const SurfaceTracer& shape, const View& view, std::span<const Surfa
     open *= 1 - alpha;
     first = false;
   }
-  return colour + kPaper * open;
+  return colour + paper * open;
 }
 
 /// The lines of sight through sixteen places of the picture.
 class Sights {
  public:
-  Sights(const SurfaceTracer& shape, const View& view) : shape_(shape), view_(view) {}
+  Sights(const SurfaceTracer& shape, const View& view, const Colour& paper)
+      : shape_(shape), view_(view), paper_(paper) {}
 
   /// Place of line `i`, in pixels.
   void aim(int i, double x, double y) {
@@ -69,11 +70,12 @@ class Sights {
     bundle_.z[k] = static_cast<float>(start.z);
   }
   void trace() { shape_.trace(bundle_, -view_.toward, hits_); }
-  Colour seen(int i) const { return shade(shape_, view_, hits_.of(i)); }
+  Colour seen(int i) const { return shade(shape_, view_, paper_, hits_.of(i)); }
 
  private:
   const SurfaceTracer& shape_;
   const View& view_;
+  const Colour& paper_;
   Bundle bundle_{};
   BundleHits hits_;
 };
@@ -93,9 +95,10 @@ void for_tiles(const Rect& area, const Paint& paint) {
 }
 
 /// One line through the middle of every pixel, four by four pixels together.
-void draw_centres(Canvas& canvas, const SurfaceTracer& shape, const View& view) {
+void draw_centres(Canvas& canvas, const SurfaceTracer& shape, const View& view,
+                  const Colour& paper) {
   for_tiles(view.cell, [&](const Rect& tile) {
-    Sights sights(shape, view);
+    Sights sights(shape, view, paper);
     for (int y = tile.top; y < tile.bottom(); y += 4) {
       for (int x = tile.left; x < tile.right(); x += 4) {
         for (int i = 0; i < kBundle; ++i) {
@@ -128,10 +131,11 @@ bool is_edge(const Canvas& canvas, const Rect& cell, int x, int y) {
 }
 
 /// Pixels that differ from a neighbour become the mean of sixteen lines.
-void refine_edges(Canvas& canvas, const SurfaceTracer& shape, const View& view) {
+void refine_edges(Canvas& canvas, const SurfaceTracer& shape, const View& view,
+                  const Colour& paper) {
   const Canvas coarse = canvas;
   for_tiles(view.cell, [&](const Rect& tile) {
-    Sights sights(shape, view);
+    Sights sights(shape, view, paper);
     for (int y = tile.top; y < tile.bottom(); ++y) {
       for (int x = tile.left; x < tile.right(); ++x) {
         if (!is_edge(coarse, view.cell, x, y)) continue;
@@ -150,9 +154,9 @@ void refine_edges(Canvas& canvas, const SurfaceTracer& shape, const View& view) 
 
 }  // namespace
 
-void draw_xray(Canvas& canvas, const SurfaceTracer& shape, const View& view) {
-  draw_centres(canvas, shape, view);
-  refine_edges(canvas, shape, view);
+void draw_xray(Canvas& canvas, const SurfaceTracer& shape, const View& view, const Colour& paper) {
+  draw_centres(canvas, shape, view, paper);
+  refine_edges(canvas, shape, view, paper);
 }
 
 }  // namespace marrow

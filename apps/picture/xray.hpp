@@ -7,7 +7,8 @@
 
 namespace marrow {
 
-/// Paints the shape into the cell of `view`, over white. The same pixels for any number of threads.
-void draw_xray(Canvas& canvas, const SurfaceTracer& shape, const View& view);
+/// Paints the shape into the cell of `view`, over `paper`. The same pixels for any number of
+/// threads.
+void draw_xray(Canvas& canvas, const SurfaceTracer& shape, const View& view, const Colour& paper);
 
 }  // namespace marrow

@@ -73,7 +73,11 @@ void run_convert(const ConvertRequest& request) {
   check_outputs({request.out}, {request.in});
   const InputFile input = read_input(request.in, request.from, request.limits.read);
   const CurveSkeleton skeleton = edited(request, skeleton_of(input, request.radius));
-  write_outputs(outputs_of(request, skeleton));
+  const std::vector<OutputFile> files = outputs_of(request, skeleton);
+  std::vector<std::string> paths;
+  for (const OutputFile& file : files) paths.push_back(file.path);
+  check_outputs(paths, {request.in});  // one for every part may have another name
+  write_outputs(files);
 }
 
 constexpr const char* kEdits = "Edits, in this order; lengths are in the units of the skeleton";

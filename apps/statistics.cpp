@@ -24,6 +24,10 @@ void add_radii(Statistics& s, const CurveSkeleton& skeleton) {
   const auto [least, most] =
       std::minmax_element(skeleton.nodes.begin(), skeleton.nodes.end(), thinner);
   s["radius"] = {least->radius, most->radius};
+  Bounds sections;
+  for (const auto& node : skeleton.nodes)
+    if (node.section_radius > 0) sections.add({node.section_radius, 0, 0});
+  if (!sections.is_empty) s["section_radius"] = {sections.low.x, sections.high.x};
 }
 
 std::string text_of(const Statistics& value) {

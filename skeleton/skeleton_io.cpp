@@ -15,6 +15,8 @@ namespace {
 namespace detail = skeleton_detail;
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;
+/// No format has a node in fewer than 6 bytes: so many hold no more nodes than a NodeId counts.
+constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 30;
 
 struct Entry {
   SkeletonFormat format;
@@ -105,6 +107,8 @@ CurveSkeleton parse_skeleton(std::string_view bytes, SkeletonFormat format, cons
     throw Error(ErrorKind::Unsupported, name + ": ." + entry.extension +
                                             " files of curve-skeletons are only written; use " +
                                             choice_of(readable_skeleton_formats()));
+  if (bytes.size() > kMostBytes)
+    throw Error(ErrorKind::Limit, name + ": a curve-skeleton of more than 16 GiB; simplify it");
   return entry.read(bytes, {name, missing_radius});
 }
 

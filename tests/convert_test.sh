@@ -56,6 +56,16 @@ cp graph.vtp odd.name
 good convert odd.name odd.too --from vtp --to skel
 same graph.skel odd.too
 
+printf 'id,x,y,z,radius,section_radius,neighbours\n0,0,0,0,1,2,1\n1,1,0,0,1,0,0\n' >wide.csv
+for format in ply json vtp graphml csv; do
+  good convert wide.csv "wide.$format.$format"
+  good info "wide.$format.$format"
+  says '^section radius +2 to 2'
+done
+good convert wide.csv wide.skel
+good info wide.skel
+grep -q section stdout && fail "section radii in a .skel"
+
 # --- other outputs --------------------------------------------------------------------------------
 good convert graph.skel graph.swc --swc-split
 for i in 1 2 3; do
@@ -122,6 +132,7 @@ bad 2 '--from' convert - out.skel
 bad 2 '--to' convert graph.skel -
 bad 2 '--radius' convert graph.skel out.skel --radius 0
 bad 2 'swc-split' convert graph.skel out.skel --swc-split
+bad 2 'is the input' convert graph-1.swc graph.swc --swc-split
 bad 2 'swc-split' convert graph.skel out.swc --swc-split --capsules
 bad 2 '--spacing' convert graph.skel out.skel --spacing -1
 bad 2 '--simplify' convert graph.skel out.skel --spacing 1 --simplify 1

@@ -63,7 +63,7 @@ std::string format_skeleton(const CurveSkeleton& skeleton, SkeletonFormat format
 /// is neither 0 nor at least the radius, indices out of range, an edge from a node to itself, a
 /// file cut short. `name` stands for the file in messages.
 /// Throws Error: Malformed (names the line and the mend), Unsupported (a binary PLY or VTP, a newer
-/// JSON, a format that is only written).
+/// JSON, a format that is only written), Limit (more than 16 GiB).
 CurveSkeleton parse_skeleton(std::string_view bytes, SkeletonFormat format, const std::string& name,
                              double missing_radius = 0);
 

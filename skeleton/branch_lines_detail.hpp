@@ -29,6 +29,9 @@ struct BranchLine {
   double edge_length(std::size_t e) const {
     return distance(points[e].position, points[after(e)].position);
   }
+  bool is_leaf(std::size_t i) const {
+    return !is_ring && ((i == 0 && starts_at_leaf) || (i + 1 == size() && ends_at_leaf));
+  }
   /// Whether the point is an end that other lines share.
   bool is_joint(std::size_t i) const {
     return !is_ring && ((i == 0 && !starts_at_leaf) || (i + 1 == size() && !ends_at_leaf));

@@ -13,9 +13,8 @@ constexpr int kMostHalvings = 4;
 LinePoint middle(const LinePoint& a, const LinePoint& b, const SurfaceProbe& probe) {
   Vec3 p = (a.position + b.position) * 0.5;
   if (probe.is_outside(p)) p = probe.inside_near(p).value_or(p);
-  const double radius = probe.radius(p);
   const Vec3 chord = b.position - a.position;
-  const Vec3 centre = probe.section(p, chord / length(chord), radius).centre;
+  const Vec3 centre = probe.section(p, chord / length(chord)).centre;
   if (!probe.is_blocked(p, centre)) p = centre;
   return {p, probe.radius(p), 0};
 }

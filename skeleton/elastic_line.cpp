@@ -9,7 +9,7 @@ namespace marrow {
 namespace {
 
 constexpr double kLeastLength = 1e-5;  // normalised: shorter edges count as this long
-constexpr double kPrecision = 1e-12;   // of the squared residual
+constexpr double kPrecision = 1e-9;    // of the squared residual
 constexpr int kMostSteps = 200;
 
 /// Numbers the points of all lines; one number for a joint.

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kStiffness = 0.5;         // radii: bends shorter than this are ironed out
 constexpr double kLeastStiffness = 0.004;  // of the diagonal, in place of a smaller radius
-constexpr double kMostStep = 0.8;          // radii in one round, where the way may be blocked
+constexpr double kMostStep = 0.5;          // radii in one round, where the way is blocked
 constexpr double kJointWeight = 0.02;
+constexpr double kLeafWeight = 4;  // along the line
 
 /// A point on its way, and how far it may go.
 struct Travel {
@@ -29,15 +30,17 @@ double stiffness_of(const LinePoint& p, double diagonal) {
 }
 
 /// What a point of a line is drawn by; a point that sees its section may go to its middle.
-Hold hold_of(const BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& leash) {
-  const LinePoint& p = line.points[i];
+Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& leash) {
+  LinePoint& p = line.points[i];
   const double stiffness = stiffness_of(p, probe.diagonal());
   const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
   if (line.is_joint(i) || tangent == Vec3{})
     return {p.position, scaled_identity(kJointWeight), stiffness};
-  const Section section = probe.section(p.position, tangent, p.radius);
+  const Section section = probe.section(p.position, tangent);
   leash = std::max(leash, section.half_width);
-  return {section.centre, section.weight, stiffness};
+  if (section.radius > 0) p.radius = section.radius;
+  const double along = line.is_leaf(i) ? kLeafWeight : 0;  // or the line would straighten there
+  return {section.centre, section.weight + outer_square(tangent) * along, stiffness};
 }
 
 /// `to`, but no farther than `most` from `from`.
@@ -47,13 +50,10 @@ Vec3 no_farther(const Vec3& from, const Vec3& to, double most) {
 }
 
 void move(LinePoint& p, const Vec3& place, const Travel& travel, const SurfaceProbe& probe) {
-  const LinePoint before = p;
-  Vec3 to = no_farther(travel.start, place, travel.leash);
+  const Vec3 to = no_farther(travel.start, place, travel.leash);
   const double most = kMostStep * p.radius;
-  if (distance(p.position, to) > most && probe.is_blocked(p.position, to))
-    to = no_farther(p.position, to, most);
-  p.position = to;
-  p.radius = probe.radius(to, before.radius + distance(to, before.position) + 1e-9);
+  const bool is_far = distance(p.position, to) > most && probe.is_blocked(p.position, to);
+  p.position = is_far ? no_farther(p.position, to, most) : to;
 }
 
 /// Moves a point that lies outside the surface into the limb beside it.
@@ -62,8 +62,7 @@ void bring_inside(LinePoint& p, Travel& travel, const SurfaceProbe& probe) {
   const auto inside = probe.inside_near(p.position);
   if (!inside) return;
   p.position = *inside;
-  p.radius = probe.radius(p.position);
-  travel = {p.position, std::max(travel.leash, p.radius)};
+  travel = {p.position, travel.leash};
 }
 
 }  // namespace
@@ -72,10 +71,7 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
   std::vector<std::vector<Travel>> travels;
   for (BranchLine& line : lines) {
     auto& of_line = travels.emplace_back();
-    for (LinePoint& p : line.points) {
-      of_line.push_back({p.position, probe.hull(p.position)});
-      p.radius = probe.radius(p.position);
-    }
+    for (const LinePoint& p : line.points) of_line.push_back({p.position, probe.hull(p.position)});
   }
   for (int round = 0; round < rounds; ++round) {
     Holds holds;
@@ -94,6 +90,10 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
   }
 }
 
+void measure(BranchLine& line, const SurfaceProbe& probe) {
+  for (LinePoint& p : line.points) p.radius = probe.radius(p.position);
+}
+
 void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
   constexpr double kMost = 1.5;  // radii
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -101,7 +101,7 @@ void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
     p.section_radius = p.radius;
     const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
     if (line.is_joint(i) || tangent == Vec3{}) continue;
-    const Section section = probe.section(p.position, tangent, p.radius);
+    const Section section = probe.section(p.position, tangent);
     p.section_radius = std::clamp(section.half_width, p.radius, kMost * p.radius);
   }
   const auto fade = [&](std::size_t joint, auto along) {

@@ -9,8 +9,11 @@
 namespace marrow {
 
 /// Moves all points to where opposite walls are as far, the lines held by their stiffness; points
-/// outside the surface go into the limb beside them first. Radii are those of the new places.
+/// outside the surface go into the limb beside them first. Radii are rough from here on.
 void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rounds);
+
+/// Sets the radii to the distances to the surface.
+void measure(BranchLine& line, const SurfaceProbe& probe);
 
 /// Adds points where an edge runs through a wall, pulled into the shape.
 void mend_edges(BranchLine& line, const SurfaceProbe& probe);

@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kLeastStep = 0.002, kMostStep = 0.03;  // between points, of the diagonal
 
+/// A node that no line leads to.
+CurveSkeleton::Node measured(const Vec3& place, const SurfaceProbe& probe) {
+  const double radius = probe.radius(place);
+  return {place, radius, radius};
+}
+
 }  // namespace
 
 CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& input) {
@@ -23,12 +29,16 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
       line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
     recentre(lines, probe, rounds);
   }
-  for (BranchLine& line : lines) mend_edges(line, probe);
+  for (BranchLine& line : lines) {
+    measure(line, probe);
+    mend_edges(line, probe);
+  }
   settle_tips(lines, probe);
   for (BranchLine& line : lines) measure_sections(line, probe);
   CurveSkeleton result = assemble(skeleton, lines);
-  for (auto& node : result.nodes)
-    if (node.section_radius < node.radius) node.section_radius = node.radius;
+  const std::vector<int> degree = degrees(result);
+  for (std::size_t n = 0; n < degree.size(); ++n)
+    if (degree[n] == 0) result.nodes[n] = measured(result.nodes[n].position, probe);
   return result;
 }
 

@@ -10,12 +10,13 @@ namespace marrow {
 
 namespace {
 
-constexpr double kBehind = 1e-5;    // of the diagonal: off a wall, so that a ray leaves it
-constexpr double kClip = 4;         // radii: walls farther off are not told apart
-constexpr double kSoft = 0.05;      // keeps a target near where nothing is told
-constexpr double kAlong = 0.1;      // weight of a point along the line
-constexpr double kUntold = 0.02;    // weight where too few walls are seen
-constexpr double kThinWall = 0.06;  // of the diagonal: two walls with a limb between them
+constexpr double kBehind = 1e-5;     // of the diagonal: off a wall, so that a ray leaves it
+constexpr double kLeastClip = 1e-4;  // of the diagonal, in place of a smaller radius
+constexpr double kClip = 4;          // radii: walls farther off are not told apart
+constexpr double kSoft = 0.05;       // keeps a target near where nothing is told
+constexpr double kAlong = 0.1;       // weight of a point along the line
+constexpr double kUntold = 0.02;     // weight where too few walls are seen
+constexpr double kThinWall = 0.06;   // of the diagonal: two walls with a limb between them
 constexpr double kRootHalf = 0.70710678118654752;
 
 /// An icosahedron's six axes, turned so that none runs along a face of a box.
@@ -92,13 +93,15 @@ bool SurfaceProbe::is_inner(const Vec3& from, const SurfaceHit& hit) const {
   return inside >= 2;
 }
 
+std::optional<SurfaceHit> SurfaceProbe::nearest_wall(const Vec3& p, double reach) const {
+  if (!has_inner_walls_) return input_.surface.nearest(p, reach);
+  return input_.surface.nearest(p, reach, [&](const SurfaceHit& h) { return !is_inner(p, h); });
+}
+
 double SurfaceProbe::radius(const Vec3& p, double most) const {
-  const double reach = std::min(hull(p) + 2 * input_.pixel, most);
-  const auto hit =
-      has_inner_walls_
-          ? input_.surface.nearest(p, reach, [&](const SurfaceHit& h) { return !is_inner(p, h); })
-          : input_.surface.nearest(p, reach);
-  return std::max(hit ? hit->distance : reach, 1e-6 * diagonal_);
+  auto hit = nearest_wall(p, std::min(hull(p) + 2 * input_.pixel, most));
+  if (!hit) hit = nearest_wall(p, kFar);  // the hull of an open shape may be less than the shape
+  return std::max(hit ? hit->distance : hull(p), 1e-6 * diagonal_);
 }
 
 std::optional<SurfaceHit> SurfaceProbe::wall(const Vec3& from, const Vec3& direction) const {
@@ -110,27 +113,37 @@ std::optional<SurfaceHit> SurfaceProbe::wall(const Vec3& from, const Vec3& direc
   return {};
 }
 
-Section SurfaceProbe::section(const Vec3& p, const Vec3& tangent, double radius) const {
+Section SurfaceProbe::section(const Vec3& p, const Vec3& tangent) const {
+  struct Pair {
+    Vec3 direction;
+    double ahead, back;
+  };
   const auto [u, v] = across(tangent);
-  const std::array<Vec3, 4> directions{u, (u + v) * kRootHalf, v, (v - u) * kRootHalf};
-  std::array<double, 4> halves{};
+  std::array<Pair, 4> pairs;
   std::size_t seen = 0;
-  Symmetric3 told;
-  Vec3 pull;
-  for (const Vec3& e : directions) {
+  double radius = kFar;
+  for (const Vec3& e : {u, (u + v) * kRootHalf, v, (v - u) * kRootHalf}) {
     const auto a = wall(p, e), b = wall(p, -e);
     if (!a || !b) continue;
-    const double ahead = std::min(a->distance, kClip * radius),
-                 back = std::min(b->distance, kClip * radius);
+    pairs[seen++] = {e, a->distance, b->distance};
+    radius = std::min({radius, a->distance, b->distance});
+  }
+  if (seen < 2) return {scaled_identity(kUntold), p, 0, 0};
+  Symmetric3 told;
+  Vec3 pull;
+  std::array<double, 4> halves{};
+  const double clip = kClip * std::max(radius, kLeastClip * diagonal_);
+  for (std::size_t i = 0; i < seen; ++i) {
+    const double ahead = std::min(pairs[i].ahead, clip), back = std::min(pairs[i].back, clip);
     const double half = 0.5 * (ahead + back), off = 0.5 * (ahead - back);
     const double share = radius / half, weight = 0.5 * share * share;
-    told = told + outer_square(e) * weight;
-    pull += e * (weight * off);
-    halves[seen++] = half;
+    told = told + outer_square(pairs[i].direction) * weight;
+    pull += pairs[i].direction * (weight * off);
+    halves[i] = half;
   }
-  if (seen < 2) return {scaled_identity(kUntold), p, 0};
   const Vec3 centre = p + inverse(told + scaled_identity(kSoft)) * pull;
-  return {told + outer_square(tangent) * kAlong, centre, median(std::span(halves).first(seen))};
+  return {told + outer_square(tangent) * kAlong, centre, radius,
+          median(std::span(halves).first(seen))};
 }
 
 double SurfaceProbe::ahead(const Vec3& p, const Vec3& direction) const {

@@ -15,6 +15,7 @@ struct Section {
   Symmetric3 weight;      ///< how firmly each direction is told: flat sections say little of their
                           ///< long side
   Vec3 centre;            ///< where opposite walls are as far
+  double radius = 0;      ///< way to the nearest of these walls; 0: too few
   double half_width = 0;  ///< median over the directions; 0: too few walls
 };
 
@@ -30,10 +31,9 @@ class SurfaceProbe {
 
   /// Radius of the ball that the silhouettes allow, half a pixel at least.
   double hull(const Vec3& p) const;
-  /// Distance to the surface, known to be no more than `most`; what the hull allows where it is
-  /// farther than that.
+  /// Distance to the surface, known to be no more than `most`.
   double radius(const Vec3& p, double most = kFar) const;
-  Section section(const Vec3& p, const Vec3& tangent, double radius) const;
+  Section section(const Vec3& p, const Vec3& tangent) const;
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;
   bool is_outside(const Vec3& p) const;
@@ -43,6 +43,7 @@ class SurfaceProbe {
   bool is_blocked(const Vec3& a, const Vec3& b) const;
 
  private:
+  std::optional<SurfaceHit> nearest_wall(const Vec3& p, double reach) const;
   std::optional<SurfaceHit> wall(const Vec3& from, const Vec3& direction) const;
   bool is_inner(const Vec3& from, const SurfaceHit& hit) const;
 

@@ -11,6 +11,7 @@ constexpr double kGap = 0.08;      // radii between the ball of a settled leaf a
 constexpr double kApproach = 0.7;  // of the gap, in one step
 constexpr double kMostStep = 0.5;  // radii
 constexpr double kWidest = 1.3;    // times the radius at the start: it runs into the open
+constexpr double kThinnest = 0.5;  // times that radius: a toe, not the foot
 constexpr double kLeastCosine = 0.70710678118654752;  // of the turn from where the limb pointed
 constexpr int kMostSteps = 40, kHalvings = 4;
 
@@ -56,7 +57,7 @@ void shorten(BranchLine& line, const SurfaceProbe& probe) {
 LinePoint next_place(const LinePoint& last, const Vec3& way, double step,
                      const SurfaceProbe& probe) {
   const LinePoint ahead = measured(last.position + way * step, probe);
-  const Vec3 off = probe.section(ahead.position, way, ahead.radius).centre - ahead.position;
+  const Vec3 off = probe.section(ahead.position, way).centre - ahead.position;
   const double far = length(off), most = 0.5 * std::min(ahead.radius, step);
   return measured(ahead.position + (far > most ? off * (most / far) : off), probe);
 }
@@ -64,19 +65,21 @@ LinePoint next_place(const LinePoint& last, const Vec3& way, double step,
 /// Adds points until the ball of the last one touches the end of the limb.
 template <class IsTaken>
 void lengthen(BranchLine& line, const SurfaceProbe& probe, IsTaken is_taken) {
-  const double widest = kWidest * line.points.back().radius;
+  const double start = line.points.back().radius;
   const Vec3 limb = heading(line, line.size() - 1);
   for (int k = 0; k < kMostSteps; ++k) {
     const LinePoint last = line.points.back();
     const Vec3 way = heading(line, line.size() - 1);
     if (way == Vec3{}) return;
     const double left = gap(last, way, probe);
+    if (left > 1) return;  // into the open
     if (left <= kGap * last.radius) return;
     const double step = std::min(kMostStep * last.radius, kApproach * left);
     const LinePoint next = next_place(last, way, step, probe);
     const Vec3 moved = next.position - last.position;
     const bool turns = dot(moved, limb) < kLeastCosine * length(moved);
-    if (turns || next.radius > widest || is_taken(next.position)) return;
+    const bool is_odd = next.radius > kWidest * start || next.radius < kThinnest * start;
+    if (turns || is_odd || is_taken(next.position)) return;
     line.points.push_back(next);
   }
 }

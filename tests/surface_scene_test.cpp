@@ -24,7 +24,11 @@ Shape as_shape(const NormalizedShape& n) {
 
 TEST_CASE("the nearest point is that of all triangles", "[surface-scene]") {
   Random random(3);
-  const NormalizedShape own = as_normalized(make_soup(random, 60, 80));
+  Shape soup = make_soup(random, 60, 80);
+  std::erase_if(soup.triangles, [](const Triangle& t) {  // the slow way asks for an area
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  const NormalizedShape own = as_normalized(soup);
   const Shape shape = as_shape(own);
   for (const auto use : {SurfaceScene::Use::Images, SurfaceScene::Use::Questions}) {
     const SurfaceScene scene(own, use);

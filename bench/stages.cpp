@@ -5,6 +5,7 @@
 #include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
 #include <marrow/perceptual_core.hpp>
+#include <marrow/refinement.hpp>
 #include <marrow/region_growing.hpp>
 #include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
@@ -127,13 +128,21 @@ void run_cycle_check(const Workload& w) {
 }
 
 void run_smoothing(const Workload& w) {
-  VoteGraph graph =
-      smooth_branches(trim_leaves(cut_hooks(w.trace.collapsed, voxel_of(w)), voxel_of(w)),
-                      w.options.smoothing_passes);
+  const VoteGraph trimmed = trim_leaves(cut_hooks(w.trace.collapsed, voxel_of(w)), voxel_of(w));
+  keep(smooth_branches(trimmed, w.options.smoothing_passes));
+}
+
+/// With the tree that the surface is asked by.
+void run_refinement(const Workload& w) {
+  CurveSkeleton skeleton = skeleton_of(w.trace.smoothed);
   const Projections projections(w.trace.views);
-  for (auto& node : graph.nodes)
+  for (auto& node : skeleton.nodes)
     node.radius = std::max(hull_radius(node.position, projections), 0.5 * pixel_of(w));
-  keep(to_input_units(graph, w.trace.normalization));
+  if (!w.normalized.is_point_cloud()) {
+    const SurfaceScene surface(w.normalized, SurfaceScene::Use::Questions);
+    skeleton = recentre(skeleton, {w.normalized, surface, projections, pixel_of(w)});
+  }
+  keep(to_input_units(skeleton, w.trace.normalization));
 }
 
 constexpr std::array kStages{
@@ -153,6 +162,7 @@ constexpr std::array kStages{
     Stage{"branch-collapse", run_branch_collapse},
     Stage{"cycle-check", run_cycle_check},
     Stage{"smoothing", run_smoothing},
+    Stage{"refinement", run_refinement},
 };
 
 }  // namespace

@@ -27,6 +27,13 @@ SilhouetteMethod silhouettes_of(const std::string& name) {
   throw Error(ErrorKind::Usage, "silhouettes must be 'scanline' or 'embree'");
 }
 
+Refinement refinement_of(const std::string& name) {
+  if (name == "none") return Refinement::None;
+  if (name == "hull") return Refinement::Hull;
+  if (name == "surface") return Refinement::Surface;
+  throw Error(ErrorKind::Usage, "refine must be 'none', 'hull' or 'surface'");
+}
+
 /// The keywords that every function which extracts takes.
 ExtractOptions options_of(const py::kwargs& keywords) {
   ExtractOptions options;
@@ -43,6 +50,8 @@ ExtractOptions options_of(const py::kwargs& keywords) {
       options.smoothing_passes = value.cast<int>();
     else if (name == "silhouettes")
       options.silhouettes = silhouettes_of(value.cast<std::string>());
+    else if (name == "refine")
+      options.refinement = refinement_of(value.cast<std::string>());
     else if (name == "threads")
       options.max_threads = value.cast<int>();
     else if (name == "progress")
@@ -130,6 +139,8 @@ void bind_extractions(py::module_& m) {
       "grid: voxels along the longest side, 16 to 256.\n"
       "closing: of clouds, radius in pixels that gaps are closed by; 0: by the points' density.\n"
       "smoothing: passes. silhouettes: 'scanline' or 'embree'.\n"
+      "refine: 'surface' for lines and radii put right on the surface of a mesh, 'hull' for radii\n"
+      "of the visual hull, 'none' for those of the matches.\n"
       "threads: at most, 0 for all; the result does not depend on it.\n"
       "progress: called as progress(stage, done) with done from 0 to 1; may raise to stop.\n\n"
       "Other Python threads run meanwhile. Raises marrow.Error.");

@@ -9,7 +9,7 @@ GROUPS = {
                "distances-to-axes"),
     "votes": ("matching", "cleaning"),
     "graph": ("region-growing", "perceptual-core", "hull-solid", "hull-thinning",
-              "branch-collapse", "cycle-check", "smoothing"),
+              "branch-collapse", "cycle-check", "smoothing", "refinement"),
 }
 
 

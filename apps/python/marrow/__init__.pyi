@@ -59,6 +59,7 @@ def extract(
     closing: float = ...,
     smoothing: int = ...,
     silhouettes: str = ...,
+    refine: str = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> Skeleton: ...
@@ -83,6 +84,7 @@ def extract_file(
     closing: float = ...,
     smoothing: int = ...,
     silhouettes: str = ...,
+    refine: str = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> Skeleton: ...

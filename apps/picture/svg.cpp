@@ -88,7 +88,7 @@ double nearness(const Stroke& stroke) {
 /// From the farthest to the nearest.
 std::string strokes_in_order(std::vector<Stroke> strokes, const Colour& haze) {
   std::stable_sort(strokes.begin(), strokes.end(),
-                   [](const Stroke& a, const Stroke& b) { return a.a.z + a.b.z < b.a.z + b.b.z; });
+                   [](const Stroke& a, const Stroke& b) { return nearness(a) < nearness(b); });
   std::string text;
   for (const Stroke& stroke : strokes) {
     const Colour colour =

@@ -44,6 +44,13 @@ void add_extraction_options(CLI::App& verb, ExtractionRequest& request) {
       ->check(CLI::IsMember({"scanline", "embree"}).description(""))
       ->type_name("scanline|embree")
       ->capture_default_str();
+  verb.add_option(
+          "--rules", request.rules,
+          "Marrow's rules, or the paper's own, to compare with: false loops and spurs stay,\n"
+          "and nothing is refined")
+      ->check(CLI::IsMember({"marrow", "paper"}).description(""))
+      ->type_name("marrow|paper")
+      ->capture_default_str();
   verb.add_option("--refine", request.refine,
                   "End with the paper's smoothing and radii of matches, with radii of the visual\n"
                   "hull, or with lines and radii put right on the surface; clouds and volumes\n"
@@ -85,6 +92,7 @@ ExtractOptions options_of(const ExtractionRequest& request) {
   options.closing = request.closing;
   options.grid_resolution = request.grid;
   if (request.silhouettes == "embree") options.silhouettes = SilhouetteMethod::Embree;
+  if (request.rules == "paper") options.rules = Rules::Paper;
   if (request.refine == "none") options.refinement = Refinement::None;
   if (request.refine == "hull") options.refinement = Refinement::Hull;
   if (request.views == "81") options.views = 81;
@@ -106,7 +114,8 @@ Statistics describe(const ExtractionRequest& request, bool is_volume) {
   s["grid"] = request.grid;
   s["closing"] = request.closing;
   s["silhouettes"] = request.silhouettes;
-  s["refine"] = request.refine;
+  s["rules"] = request.rules;
+  s["refine"] = request.rules == "paper" ? "none" : request.refine;
   s["views"] = request.directions.empty() ? std::stoi(request.views)
                                           : static_cast<int>(request.directions.size());
   for (const Vec3& d : request.directions) s["directions"].push_back({d.x, d.y, d.z});

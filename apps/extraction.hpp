@@ -21,6 +21,7 @@ struct ExtractionRequest {
   double closing = ExtractOptions{}.closing;
   int grid = ExtractOptions{}.grid_resolution;
   std::string silhouettes = "scanline";
+  std::string rules = "marrow";
   std::string refine = "surface";
   std::string views = "21";
   std::vector<Vec3> directions;  ///< of a file that --views names

@@ -109,9 +109,11 @@ std::vector<OutputFile> draw_trace(const ExtractTrace& t, const std::string& fol
   add("support.png", support_sheet(t.cleaned));
   add_graph("tree.obj", t.tree);
   add_graph("core.obj", t.core);
-  add("solid.png", solid_sheet(t.votes.grid, t.solid));
-  add_graph("thinned.obj", t.thinned);
+  const bool by_paper = t.thinned.nodes.empty();
+  if (!by_paper) add("solid.png", solid_sheet(t.votes.grid, t.solid));
+  if (!by_paper) add_graph("thinned.obj", t.thinned);
   add_graph("collapsed.obj", t.collapsed);
+  if (by_paper) add_graph("looped.obj", t.looped);
   add_graph("smoothed.obj", t.smoothed);
   add("refined.obj",
       format_skeleton(to_input_units(t.refined, t.normalization), SkeletonFormat::Obj));

@@ -7,6 +7,7 @@
 #include <marrow/gap_bridging.hpp>
 #include <marrow/homotopic_thinning.hpp>
 #include <marrow/hull_topology.hpp>
+#include <marrow/loop_recovery.hpp>
 #include <marrow/nearest_sample.hpp>
 #include <marrow/perceptual_core.hpp>
 #include <marrow/point_spacing.hpp>
@@ -268,6 +269,62 @@ bool is_on_surface(const Shape& shape, Refinement refinement) {
 }
 bool is_on_surface(const Volume&, Refinement) { return false; }
 
+/// Sections 4.3 and 4.4 as measured to work.
+template <class Input>
+VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, const VoteGrid& matched,
+                          std::span<const StereoImages> views, double pixel,
+                          const ExtractOptions& options, const Recorder& record) {
+  using Trace = ExtractTrace;
+  const VoxelGrid grid = matched.grid;
+  const double voxel = grid.size;
+
+  // 4.3: cleaning by the visual hull, and the tree.
+  record.begin("cleaning", 0.55);
+  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid(matched, views));
+  record.begin("region growing", 0.65);
+  VoteGraph graph = record.keep(&Trace::tree, grow_forest(votes, pixel));
+
+  // 4.4.1: the perceptual core.
+  record.begin("perceptual core", 0.7);
+  graph = record.keep(&Trace::core, extract_perceptual_core(graph, voxel));
+
+  // In place of 4.4.3: the topology of the visual hull.
+  record.begin("hull topology", 0.72);
+  const VoxelSet solid = record.keep(
+      &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph));
+  const auto depth = distance_transform(grid, solid);
+  const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
+  graph = record.keep(&Trace::thinned,
+                      prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), voxel));
+
+  // 4.4.2: branch collapse, and what the surface says of cycles.
+  record.begin("branch collapse", 0.93);
+  graph = record.keep(&Trace::collapsed, collapse(graph, input, shape, voxel));
+
+  // 4.4, last paragraph: tips and smoothing.
+  record.begin("smoothing", 0.94);
+  graph = trim_leaves(cut_hooks(graph, voxel), voxel);
+  return record.keep(&Trace::smoothed, smooth_branches(std::move(graph), options.smoothing_passes));
+}
+
+/// Sections 4.3 and 4.4 read literally.
+VoteGraph graph_by_paper(const VoteGrid& matched, std::span<const StereoImages> views, double pixel,
+                         const ExtractOptions& options, const Recorder& record) {
+  using Trace = ExtractTrace;
+  record.begin("cleaning", 0.55);
+  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid_by_centres(matched, views));
+  record.begin("region growing", 0.65);
+  VoteGraph graph = record.keep(&Trace::tree, grow_spanning_tree(votes, pixel));
+  record.begin("perceptual core", 0.7);
+  graph = record.keep(&Trace::core, prune_to_convergence(std::move(graph)));
+  record.begin("branch collapse", 0.93);
+  constexpr double kWhateverLiesBetween = std::numeric_limits<double>::infinity();
+  graph = record.keep(&Trace::collapsed, collapse_branches(graph, kWhateverLiesBetween));
+  graph = record.keep(&Trace::looped, recover_loops(std::move(graph)));
+  record.begin("smoothing", 0.94);
+  return record.keep(&Trace::smoothed, smooth_branches(std::move(graph), options.smoothing_passes));
+}
+
 /// All stages, one after the other; what the next ones do not need is gone.
 template <class Input>
 CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrace* trace) {
@@ -298,44 +355,21 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
   record.begin("matching", 0.5);
   const VoteGrid matched =
       record.keep(&Trace::votes, match(shape, views, resolution.grid, options.max_threads));
-  const VoxelGrid grid = matched.grid;
-  const double voxel = grid.size;
 
-  // 4.3: cleaning by the visual hull, and the tree.
-  record.begin("cleaning", 0.55);
-  const VoteGrid votes = record.keep(&Trace::cleaned, clean_grid(matched, views));
-  record.begin("region growing", 0.65);
-  VoteGraph graph = record.keep(&Trace::tree, grow_forest(votes, pixel));
-
-  // 4.4.1: the perceptual core.
-  record.begin("perceptual core", 0.7);
-  graph = record.keep(&Trace::core, extract_perceptual_core(graph, voxel));
-
-  // In place of 4.4.3: the topology of the visual hull.
-  record.begin("hull topology", 0.72);
-  const VoxelSet solid = record.keep(
-      &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph));
-  const auto depth = distance_transform(grid, solid);
-  const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
-  graph = record.keep(&Trace::thinned,
-                      prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), voxel));
-
-  // 4.4.2: branch collapse, and what the surface says of cycles.
-  record.begin("branch collapse", 0.93);
-  graph = record.keep(&Trace::collapsed, collapse(graph, input, shape, voxel));
-
-  // 4.4, last paragraph: tips and smoothing.
-  record.begin("smoothing", 0.94);
-  graph = record.keep(&Trace::smoothed, smooth_branches(trim_leaves(cut_hooks(graph, voxel), voxel),
-                                                        options.smoothing_passes));
+  // 4.3 and 4.4: the graph.
+  VoteGraph graph = options.rules == Rules::Paper
+                        ? graph_by_paper(matched, views, pixel, options, record)
+                        : graph_by_marrow(input, shape, matched, views, pixel, options, record);
   const Projections projections(views);
-  if (graph.edges.empty()) graph = middle_line(shape, projections, voxel);
+  if (graph.edges.empty()) graph = middle_line(shape, projections, matched.grid.size);
 
   // In place of the paper's radii: the silhouettes', then the middle of the surface.
   CurveSkeleton skeleton = skeleton_of(graph);
-  if (options.refinement != Refinement::None)
+  const Refinement refinement =
+      options.rules == Rules::Paper ? Refinement::None : options.refinement;
+  if (refinement != Refinement::None)
     skeleton = with_hull_radii(std::move(skeleton), shape, projections, pixel);
-  if (is_on_surface(input, options.refinement)) {
+  if (is_on_surface(input, refinement)) {
     record.begin("refinement", 0.95);
     skeleton = recentre(skeleton,
                         {shape, scene.for_use(SurfaceScene::Use::Questions), projections, pixel});

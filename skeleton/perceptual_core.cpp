@@ -150,6 +150,14 @@ class ZonePruner {
 
 VoteGraph prune_by_zone_of_influence(const VoteGraph& forest) { return ZonePruner(forest).prune(); }
 
+VoteGraph prune_to_convergence(VoteGraph forest) {
+  for (std::size_t before = forest.nodes.size() + 1; forest.nodes.size() < before;) {
+    before = forest.nodes.size();
+    forest = prune_by_zone_of_influence(forest);
+  }
+  return forest;
+}
+
 VoteGraph extract_perceptual_core(const VoteGraph& forest, double voxel) {
   return prune_leaves(prune_by_zone_of_influence(forest), voxel);
 }

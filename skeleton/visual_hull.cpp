@@ -69,6 +69,22 @@ VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views) 
   return cleaned;
 }
 
+VoteGrid clean_grid_by_centres(const VoteGrid& votes, std::span<const StereoImages> views) {
+  const Projections project(views);
+  VoteGrid cleaned{votes.grid, {}};
+  for (Vote vote : votes.votes) {
+    vote.position = votes.grid.center(vote.voxel);
+    vote.support = vote.broad_support = kImages;
+    bool inside = true;
+    for (std::size_t i = 0; i < project.image_count() && inside; ++i) {
+      const auto [u, v] = project(i, vote.position);
+      inside = is_set(project.image(i).silhouette, {u, v});
+    }
+    if (inside) cleaned.votes.push_back(vote);
+  }
+  return cleaned;
+}
+
 double hull_radius(const Vec3& p, const Projections& projections) {
   double least = 1e300, pixel = 0;
   for (std::size_t i = 0; i < projections.image_count(); ++i) {

@@ -169,6 +169,17 @@ same rays.1.obj rays.8.obj
 good info rays.1.obj
 says '^cycles +1'
 
+# --- the paper's own rules --------------------------------------------------------------------------
+silent extract torus.obj -o paper.obj --rules paper --json statistics.json "${quick[@]}"
+grep -q '"refine": "none"' statistics.json || fail "the paper's rules refine"
+good info paper.obj
+says '^kind +skeleton'
+silent extract torus.obj -o again.obj --rules paper --refine none --threads 1 --trace paper_stages "${quick[@]}"
+same paper.obj again.obj
+[ -e paper_stages/09_looped.obj ] || fail "no graph of the loops: $(ls paper_stages)"
+silent extract torus.obj -o again.obj --rules marrow "${quick[@]}"
+same skeleton.obj again.obj
+
 # --- viewpoints -----------------------------------------------------------------------------------
 silent extract torus.obj -o again.obj --views 21 --json statistics.json "${quick[@]}"
 same skeleton.obj again.obj

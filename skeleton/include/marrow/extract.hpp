@@ -21,6 +21,14 @@ enum class SilhouetteMethod {
   Embree,    ///< rays in floats: border pixels may differ from one version of Embree to the next
 };
 
+/// What makes a graph of the votes.
+enum class Rules {
+  Marrow,  ///< ranked by support, with the topology of the visual hull, checked by the surface
+  Paper,   ///< sections 4.3 and 4.4 read literally, to compare with: raw votes at voxel centres, a
+           ///< spanning tree, zones of influence until nothing changes, joints whose balls meet,
+           ///< leaves whose balls meet joined to loops; no refinement. False loops and spurs stay.
+};
+
 struct ExtractOptions {
   int image_resolution = 0;   ///< pixels along a side of each image, 64 to 1024; 0: 256,
                               ///< or 512 where parts are thinner than a pixel
@@ -35,7 +43,8 @@ struct ExtractOptions {
   /// One that is parallel to an earlier one is left out.
   std::vector<Vec3> directions;
   SilhouetteMethod silhouettes = SilhouetteMethod::Scanline;
-  Refinement refinement = Refinement::Surface;
+  Rules rules = Rules::Marrow;
+  Refinement refinement = Refinement::Surface;  ///< the paper's rules have none
   int max_threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Called as each stage begins, with its name and the share of the work before it (0 to 1), on
   /// the calling thread. May throw to stop the work.
@@ -63,9 +72,11 @@ struct ExtractTrace {
   VoteGrid cleaned;                 ///< 4.3: with support
   VoteGraph tree;                   ///< 4.3: ORG
   VoteGraph core;                   ///< 4.4.1
-  VoxelSet solid;                   ///< the visual hull that is thinned
+  VoxelSet solid;                   ///< the visual hull that is thinned; by Marrow's rules
   VoteGraph thinned;                ///< with the topology of the hull, leaves pruned
   VoteGraph collapsed;              ///< 4.4.2: branches collapsed, short cycles cut
+  VoteGraph looped;                 ///< 4.4.3 by the paper's rules, which have no solid: leaves
+                                    ///< joined to loops
   VoteGraph smoothed;               ///< 4.4: leaves trimmed, branches smoothed
   CurveSkeleton refined;            ///< recentred, radii final; in the normalised frame
   CurveSkeleton skeleton;           ///< the same in the units of the shape

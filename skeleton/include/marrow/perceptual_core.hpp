@@ -10,6 +10,9 @@ namespace marrow {
 /// significant one: that with the greatest sum of length * (support / 42)^3 along its way.
 VoteGraph prune_by_zone_of_influence(const VoteGraph& forest);
 
+/// The same again and again until no leaf goes: the paper's own rule.
+VoteGraph prune_to_convergence(VoteGraph forest);
+
 /// The leaf rule. With U the length of a leaf branch outside all balls of the rest (those with less
 /// than 0.6 of a node's support do not hold it), and M the mean
 /// broad support over that part, a branch goes while U < r_leaf + 2 voxels or

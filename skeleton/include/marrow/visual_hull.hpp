@@ -34,6 +34,11 @@ class Projections {
 /// pixel), in 42nds of all. The broad support allows a fifth of the radius.
 VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views);
 
+/// The paper's own cleaning: drops every vote whose voxel has its centre outside a silhouette,
+/// moves the others there, and lets all of them have full support, so that the number of their
+/// matches ranks them.
+VoteGrid clean_grid_by_centres(const VoteGrid& votes, std::span<const StereoImages> views);
+
 /// Voxels whose centre lies inside all silhouettes, without the outermost layer of the grid, which
 /// lies around the unit ball.
 VoxelSet hull_solid(const VoxelGrid& grid, std::span<const StereoImages> views);

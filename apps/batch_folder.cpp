@@ -98,6 +98,12 @@ std::vector<std::string> results_in(const std::string& folder) {
   return paths;
 }
 
+bool is_of_another_shard(const std::string& results, const std::string& folder,
+                         const Shard& shard) {
+  const std::string same_count = "-of-" + std::to_string(shard.count) + ".jsonl";
+  return results.ends_with(same_count) && results != results_path(folder, shard);
+}
+
 std::string output_path(const std::string& folder, const std::string& kind, const std::string& id) {
   return folder + (kind == "png" ? "/pictures/" : "/skeletons/") + id + "." + kind;
 }

@@ -20,6 +20,9 @@ std::string results_path(const std::string& folder, const Shard& shard);
 /// Throws Error: CannotRead.
 std::vector<std::string> results_in(const std::string& folder);
 
+/// Whether these are results of the same number of shards, but of another one.
+bool is_of_another_shard(const std::string& results, const std::string& folder, const Shard& shard);
+
 /// Where the output `kind` ("skel", ..., "png") of a shape goes.
 std::string output_path(const std::string& folder, const std::string& kind, const std::string& id);
 

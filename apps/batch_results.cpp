@@ -34,12 +34,21 @@ std::uint64_t whole_lines(int fd, std::uint64_t size) {
   return 0;
 }
 
-Prior prior_of(const Statistics& row) {
+double number_in_run(const Statistics& row, const char* key, double otherwise) {
+  const auto run = row.find("run");
+  if (run == row.end() || !run->is_object()) return otherwise;
+  const auto at = run->find(key);
+  return at != run->end() && at->is_number() ? at->get<double>() : otherwise;
+}
+
+Prior prior_of(const Statistics& row, const RowPlace& place) {
   Prior prior;
-  prior.attempt = attempt_of(row);
+  prior.ended = place.ended;
+  prior.attempt =
+      static_cast<std::uint64_t>(std::clamp(number_in_run(row, "attempt", 1), 1.0, 1e9));
   const std::string status = text_at(row, "status");
   prior.is_done = status == "done";
-  prior.is_our_fault = status == "cannot-write";
+  prior.is_to_repeat = status == "cannot-write" || status == kKilled;
   prior.setting = setting_of(row);
   if (const auto input = row.find("input"); input != row.end())
     prior.hash = text_at(*input, "hash");
@@ -62,10 +71,12 @@ std::uint64_t for_each_row(const std::string& path,
     const Statistics row = Statistics::parse(line, nullptr, false);
     const bool is_whole =
         !in.eof() && row.is_object() && row.contains("id") && row["id"].is_string();
-    if (is_whole)
+    if (is_whole) {
+      place.ended = std::max(place.ended, number_in_run(row, "ended", 0));
       take(row, place);
-    else
+    } else {
       ++torn;
+    }
   }
   return torn;
 }
@@ -74,13 +85,6 @@ std::string text_at(const Statistics& object, const std::string& key) {
   if (!object.is_object()) return "";
   const auto at = object.find(key);
   return at != object.end() && at->is_string() ? at->get<std::string>() : "";
-}
-
-std::uint64_t attempt_of(const Statistics& row) {
-  const auto run = row.find("run");
-  if (run == row.end() || !run->is_object()) return 1;
-  const auto attempt = run->find("attempt");
-  return attempt != run->end() && attempt->is_number_unsigned() ? attempt->get<std::uint64_t>() : 1;
 }
 
 ResultLog::ResultLog(const std::string& path) : path_(path) {
@@ -128,16 +132,16 @@ std::uint64_t setting_of(const Statistics& row) {
 }
 
 std::vector<Prior> priors_of(const std::vector<BatchItem>& items, const std::string& folder,
-                             std::uint64_t& torn) {
+                             const Shard& shard, std::uint64_t& torn) {
   std::vector<Prior> priors(items.size());
   std::unordered_map<std::string_view, std::size_t> places;
   for (std::size_t i = 0; i < items.size(); ++i) places.emplace(items[i].id, i);
   for (const std::string& path : results_in(folder)) {
-    torn += for_each_row(path, [&](const Statistics& row, const RowPlace&) {
+    if (is_of_another_shard(path, folder, shard)) continue;
+    torn += for_each_row(path, [&](const Statistics& row, const RowPlace& place) {
       const auto at = places.find(row["id"].get_ref<const std::string&>());
       if (at == places.end()) return;
-      Prior prior = prior_of(row);
-      if (prior.attempt >= priors[at->second].attempt) priors[at->second] = std::move(prior);
+      if (place.ended >= priors[at->second].ended) priors[at->second] = prior_of(row, place);
     });
   }
   return priors;

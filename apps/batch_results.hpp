@@ -11,9 +11,10 @@
 
 namespace marrow {
 
-/// Where a row stands in its file.
+/// Where a row stands in its file, and when it was written: of the rows of a shape the last counts.
 struct RowPlace {
   std::uint64_t offset = 0, size = 0;  ///< without the end of the line
+  double ended = 0;                    ///< Unix time, never less than that of the row before
 };
 
 /// Calls `take` for every row of `path` in order; lines that are no whole row, as a crash of the
@@ -23,9 +24,6 @@ std::uint64_t for_each_row(const std::string& path,
 
 /// The text under `key`, empty where there is none.
 std::string text_at(const Statistics& object, const std::string& key);
-
-/// How often the shape of this row has been tried: the row with the highest number counts.
-std::uint64_t attempt_of(const Statistics& row);
 
 /// A file of rows that only grows, and only by whole rows.
 class ResultLog {
@@ -49,22 +47,28 @@ class ResultLog {
   std::uint64_t size_ = 0;
 };
 
+/// The status of a row whose worker was killed, but not by us nor by what its shape did: by a
+/// person, or where memory was short. The shape is to be tried again.
+inline constexpr const char* kKilled = "killed";
+
 /// What earlier runs say of a shape.
 struct Prior {
+  double ended = -1;
   std::uint64_t attempt = 0;  ///< 0: nothing
   bool is_done = false;
-  bool is_our_fault = false;                ///< the disk was full or the like: to be done again
-  std::uint64_t setting = 0;                ///< hash of options and version
-  std::string hash;                         ///< of the input; empty if it could not be read
+  bool is_to_repeat = false;  ///< no fault of the shape: the disk was full, or it was killed
+  std::uint64_t setting = 0;  ///< hash of options and version
+  std::string hash;           ///< of the input; empty if it could not be read
   std::vector<std::uint64_t> output_sizes;  ///< in the order of the kinds asked for
 };
 
 /// The hash that stands for the options and the version of a row.
 std::uint64_t setting_of(const Statistics& row);
 
-/// For each item what all results in `folder` say, and how many lines were no rows.
+/// For each item of the shard what the results in `folder` say, and how many lines were no rows.
+/// Those of other shards of the same number are not read: they have none of these items.
 /// Throws Error: CannotRead.
 std::vector<Prior> priors_of(const std::vector<BatchItem>& items, const std::string& folder,
-                             std::uint64_t& torn);
+                             const Shard& shard, std::uint64_t& torn);
 
 }  // namespace marrow

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -117,7 +118,8 @@ Statistics row_after(Statistics row, const BatchItem& item, const WorkerEnd& end
                      std::uint64_t attempt, int timeout) {
   add_reply(row, end.reply);
   if (!row.contains("status")) add_death(row, item, end, timeout);
-  Statistics run = {{"attempt", attempt}, {"host", host_name()}};
+  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+  Statistics run = {{"ended", now.count()}, {"attempt", attempt}, {"host", host_name()}};
   run["wall_seconds"] = end.wall_seconds;
   run["cpu_seconds"] = end.cpu_seconds;
   run["max_rss"] = end.max_rss;

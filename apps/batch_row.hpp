@@ -17,10 +17,6 @@ Statistics row_before(const BatchItem& item, const ShapeOptions& options,
 Statistics row_after(Statistics row, const BatchItem& item, const WorkerEnd& end,
                      std::uint64_t attempt, int timeout);
 
-/// The status of a row whose worker was killed, but not by us nor by what its shape did: by a
-/// person, or where memory was short. The shape is to be tried again.
-inline constexpr const char* kKilled = "killed";
-
 /// Whether nothing has changed since `prior` was written: not the options and the version, of
 /// which `row` tells, not the bytes of the shape, and the outputs are there.
 bool is_unchanged(const Prior& prior, const Statistics& row, const BatchItem& item,

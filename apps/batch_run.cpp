@@ -101,17 +101,15 @@ class Batch {
 std::vector<Prior> earlier_results(const BatchRequest& request, const BatchItems& list) {
   const std::string& folder = request.outputs.folder;
   if (!request.resume) {
-    std::error_code ignored;
-    const std::string same_count = "-of-" + std::to_string(request.shard.count) + ".jsonl";
     for (const std::string& path : results_in(folder))
-      if (path == results_path(folder, request.shard) || !path.ends_with(same_count))
+      if (!is_of_another_shard(path, folder, request.shard))
         throw Error(ErrorKind::Usage, folder +
                                           ": holds results of an earlier run; say --resume to "
                                           "go on with it, or name another folder");
     return std::vector<Prior>(list.items.size());
   }
   std::uint64_t torn = 0;
-  std::vector<Prior> priors = priors_of(list.items, folder, torn);
+  std::vector<Prior> priors = priors_of(list.items, folder, request.shard, torn);
   if (torn > 0 && !request.quiet)
     warn(folder + ": lines of results that are torn and do not count: " + std::to_string(torn));
   return priors;
@@ -168,7 +166,7 @@ std::optional<Batch::Tried> Batch::next() {
 
 bool Batch::is_to_be_done(std::size_t item) {
   const Prior& prior = priors_[item];
-  if (prior.attempt == 0 || prior.is_our_fault || (request_.retry && !prior.is_done)) return true;
+  if (prior.attempt == 0 || prior.is_to_repeat || (request_.retry && !prior.is_done)) return true;
   const BatchItem& what = list_.items[item];
   const Statistics row = row_before(what, list_.options[what.options], request_.outputs);
   return !is_unchanged(prior, row, what, request_.outputs);
@@ -194,7 +192,8 @@ void Batch::finish(const WorkerEnd& end) {
   const BatchItem& item = list_.items[end.item];
   const Statistics row = row_after(row_before(item, list_.options[item.options], request_.outputs),
                                    item, end, tried.attempt, request_.limits.timeout);
-  if (text_at(row, "status") == kKilled && !tried.was_killed) {
+  if (text_at(row, "status") == kKilled && (!tried.was_killed || last_signal != 0)) {
+    // Who ends this process may have ended its workers first.
     again_.push_back({tried.item, tried.attempt, true});
     return;
   }

@@ -18,10 +18,10 @@ MergedRows::MergedRows(std::vector<std::string> folders) : folders_(std::move(fo
     throw Error(ErrorKind::Usage, folders_.front() + ": holds no results of marrow batch");
   for (std::uint32_t file = 0; file < files_.size(); ++file)
     torn_ += for_each_row(files_[file].path, [&](const Statistics& row, const RowPlace& place) {
-      rows_.push_back({text_at(row, "id"), attempt_of(row), file, place});
+      rows_.push_back({text_at(row, "id"), file, place});
     });
   std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
-    return std::tie(a.id, a.attempt) < std::tie(b.id, b.attempt);
+    return std::tie(a.id, a.place.ended) < std::tie(b.id, b.place.ended);
   });
   // Of each id the last one stays.
   const auto first = std::unique(rows_.rbegin(), rows_.rend(),

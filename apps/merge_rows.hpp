@@ -10,7 +10,7 @@
 
 namespace marrow {
 
-/// One row for each id, by id: that of the last attempt.
+/// One row for each id, by id: the last one.
 class MergedRows {
  public:
   /// Reads all results in these folders. Throws Error: CannotRead, Usage (there are none).
@@ -31,7 +31,6 @@ class MergedRows {
   };
   struct Row {
     std::string id;
-    std::uint64_t attempt;
     std::uint32_t file;
     RowPlace place;
   };

@@ -7,6 +7,7 @@
 #   scripts/setup.sh --dev     also what CI checks the sources with
 #   scripts/setup.sh --bench   also what bench/compare measures Marrow against
 #   scripts/setup.sh --fuzz    also what scripts/fuzz.sh fuzzes with
+#   scripts/setup.sh --slurm   also what scripts/check_slurm.sh starts
 #
 # MARROW_SETUP=skip makes it do nothing, for machines that have the libraries from elsewhere.
 
@@ -37,6 +38,7 @@ case "${1-}" in
     packages+=(graphviz python3-networkx assimp-utils)   # readers of what marrow convert writes
     ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
+  --slurm) packages+=(slurm-wlm munge procps) ;;
   --fuzz)
     packages+=(clang)
     # In Ubuntu 22.04 the runtime of its fuzzer comes with clang itself.

@@ -58,7 +58,7 @@ grep -q '"id":"shapes/torus.ply".*"triangles":[0-9]*}.*"cycles":1,' whole.jsonl 
 grep -q '"id":"shapes/more/torus.nrrd".*"voxels":\[' whole.jsonl || fail "no voxels"
 ! grep -q '"run"' whole.jsonl || fail "a merged row tells of the run"
 good merge whole -o - --with-run
-says '"run":\{"attempt":1,"host":.*"max_rss":[0-9]+.*"seconds":\{"read":'
+says '"run":\{"ended":[0-9.e+]+,"attempt":1,"host":.*"max_rss":[0-9]+.*"seconds":\{"read":'
 good extract shapes/torus.ply -o torus.skel "${quick[@]}" "${options[@]}"
 same torus.skel whole/skeletons/shapes/torus.ply.skel
 [ "$(head -c 4 whole/pictures/shapes/capsule.obj.png | tail -c 3)" = PNG ] || fail "no picture"

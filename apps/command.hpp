@@ -22,6 +22,7 @@ void add_make_command(CLI::App& program);
 void add_map_command(CLI::App& program);
 void add_merge_command(CLI::App& program);
 void add_render_command(CLI::App& program);
+void add_view_command(CLI::App& program);
 
 /// Thrown to end the program with this status, when all is said.
 struct ExitStatus {

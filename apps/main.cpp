@@ -43,6 +43,7 @@ void set_up(CLI::App& program) {
   add_map_command(program);
   add_merge_command(program);
   add_render_command(program);
+  add_view_command(program);
 }
 
 /// What the parser says about a wrong command line, and where to read on.

@@ -36,6 +36,8 @@ case "${1-}" in
     packages+=("${optional[@]}" clang-format clang-tidy shellcheck python3-pyflakes valgrind)
     packages+=(libbenchmark-dev doxygen)
     packages+=(graphviz python3-networkx assimp-utils)   # readers of what marrow convert writes
+    # Opens what marrow view writes; in Ubuntu it comes as a snap.
+    grep -q '^ID=ubuntu' /etc/os-release || packages+=(chromium)
     ;;
   --bench) packages+=(libbenchmark-dev libcgal-dev libeigen3-dev python3-skimage python3-matplotlib) ;;
   --slurm) packages+=(slurm-wlm munge procps) ;;

@@ -19,7 +19,7 @@ says 'Embree [0-9]'
 says 'TBB [0-9]'
 good --help
 says 'Exit status'
-for verb in batch extract compare convert info check make map merge render; do
+for verb in batch extract compare convert info check make map merge render view; do
   good "$verb" --help
   says 'Examples:'
   [ ! -s stderr ] || fail "help on standard error"

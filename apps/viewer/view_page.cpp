@@ -74,20 +74,6 @@ Json describe_shape(const ViewContent& content, const Normalization& pose) {
           {"branches", array_of(branch)}};
 }
 
-/// For every edge the number of its branch.
-std::vector<std::uint32_t> branch_of_edges(const CurveSkeleton& skeleton) {
-  std::vector<std::uint32_t> of_edge(skeleton.edges.size(), 0);
-  const std::vector<Branch> all = branches(skeleton);
-  for (std::uint32_t b = 0; b < all.size(); ++b)
-    for (std::size_t i = 1; i < all[b].nodes.size(); ++i) {
-      const auto [low, high] = std::minmax(all[b].nodes[i - 1], all[b].nodes[i]);
-      const auto edge = std::lower_bound(skeleton.edges.begin(), skeleton.edges.end(),
-                                         CurveSkeleton::Edge{low, high});
-      of_edge[static_cast<std::size_t>(edge - skeleton.edges.begin())] = b;
-    }
-  return of_edge;
-}
-
 Json describe_lines(const ViewLines& lines, const Normalization& pose) {
   std::vector<float> positions, radii;
   for (const auto& node : lines.skeleton.nodes) {

@@ -42,8 +42,8 @@ CLI::Option* add_format_option(CLI::App& verb, const std::string& name, std::str
 std::vector<std::string> input_formats();
 std::vector<std::string> input_and_skeleton_formats();
 
-/// The format that the extension of a path names: what is compressed shows in the bytes, so .gz does
-/// not count; and "polylines" for .polylines.txt.
+/// The format that the extension of a path names: what is compressed shows in the bytes, so .gz
+/// does not count; and "polylines" for .polylines.txt.
 std::string input_format_of(const std::string& path);
 
 /// A file as it was read, before anything is known about its words.

@@ -20,13 +20,12 @@ struct BatchWords {
   std::uint64_t megabytes = 0;
 };
 
-void check_formats(std::vector<std::string>& formats) {
+/// Each format once.
+std::vector<std::string> without_repeats(const std::vector<std::string>& formats) {
   std::vector<std::string> once;
-  for (const std::string& format : formats) {
-    output_skeleton_format("-", format);
+  for (const std::string& format : formats)
     if (std::find(once.begin(), once.end(), format) == once.end()) once.push_back(format);
-  }
-  formats = std::move(once);
+  return once;
 }
 
 void run_words(BatchWords& words) {
@@ -35,8 +34,7 @@ void run_words(BatchWords& words) {
     throw Error(ErrorKind::Usage,
                 "no shapes: name files, folders or --manifest; see marrow batch "
                 "--help");
-  check_formats(words.formats);
-  request.outputs.formats = words.formats;
+  request.outputs.formats = without_repeats(words.formats);
   request.sources.without = request.outputs.folder;
   if (!words.shard.empty()) request.shard = shard_of(words.shard);
   request.max_memory = words.megabytes << 20;
@@ -47,11 +45,16 @@ void run_words(BatchWords& words) {
 
 void add_run_options(CLI::App& verb, BatchWords& words) {
   BatchRequest& request = words.request;
-  verb.add_option("--format", words.formats, "Formats of the skeletons: obj, skel, ply, json")
+  verb.add_option("--format", words.formats, "Formats of the skeletons, see marrow convert --help")
       ->delimiter(',')
+      ->check(CLI::IsMember(skeleton_formats()).description(""))
       ->type_name("EXT,EXT")
       ->capture_default_str();
   verb.add_flag("--render", request.outputs.with_picture, "A picture of each as well");
+  verb.add_option("--map", request.outputs.map_format,
+                  "A map of each surface to its skeleton as well")
+      ->check(CLI::IsMember({"csv", "json", "ply"}).description(""))
+      ->type_name("csv|json|ply");
   verb.add_option("--jobs", request.jobs, "Shapes at a time, 0 for as many as there are cores")
       ->check(CLI::Range(0, 1024).description(""))
       ->type_name("N")
@@ -100,7 +103,8 @@ void add_batch_command(CLI::App& program) {
       "Each shape has a process of its own: a crash, a hang or a memory hog becomes a row of\n"
       "DIR/results-I-of-N.jsonl like any other failure, and the exit status 9. A shape is called\n"
       "by its path, or by its \"id\", without \".\" and \"..\"; the second of a name is NAME~2.\n"
-      "Skeletons are DIR/skeletons/NAME.skel, pictures DIR/pictures/NAME.png. Ctrl-C lets the\n"
+      "Skeletons are DIR/skeletons/NAME.skel, pictures DIR/pictures/NAME.png, maps DIR/maps. "
+      "Ctrl-C lets the\n"
       "shapes under way end. marrow merge makes one file of all rows.\n"
       "\n"
       "Examples:\n"

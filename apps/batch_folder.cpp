@@ -105,7 +105,9 @@ bool is_of_another_shard(const std::string& results, const std::string& folder,
 }
 
 std::string output_path(const std::string& folder, const std::string& kind, const std::string& id) {
-  return folder + (kind == "png" ? "/pictures/" : "/skeletons/") + id + "." + kind;
+  if (kind == kPicture) return folder + "/pictures/" + id + ".png";
+  if (kind.starts_with(kMap)) return folder + "/maps/" + id + kind.substr(kind.find('.'));
+  return folder + "/skeletons/" + id + "." + (kind == "polylines" ? "polylines.txt" : kind);
 }
 
 WorkFolder::WorkFolder(const std::string& folder, const Shard& shard)

@@ -3,6 +3,7 @@
 //   results-0-of-1.jsonl     a row for each shape, one file for each shard
 //   skeletons/ID.skel        and other formats beside it
 //   pictures/ID.png          with --render
+//   maps/ID.csv              with --map
 //   .work-0-of-1             while the shard runs: files that are not whole yet
 #pragma once
 
@@ -23,7 +24,11 @@ std::vector<std::string> results_in(const std::string& folder);
 /// Whether these are results of the same number of shards, but of another one.
 bool is_of_another_shard(const std::string& results, const std::string& folder, const Shard& shard);
 
-/// Where the output `kind` ("skel", ..., "png") of a shape goes.
+/// Kinds of outputs besides the formats of skeletons.
+inline constexpr const char* kPicture = "png";
+inline constexpr const char* kMap = "map.";  ///< before its format
+
+/// Where the output `kind` ("skel", ..., "png", "map.csv", ...) of a shape goes.
 std::string output_path(const std::string& folder, const std::string& kind, const std::string& id);
 
 /// The work folder of a shard, and the lock that keeps a second run of the same shard out. What

@@ -12,6 +12,7 @@
 #include <new>
 
 #include "batch_folder.hpp"
+#include "map_file.hpp"
 #include "picture/png.hpp"
 #include "picture/render.hpp"
 #include "progress.hpp"
@@ -38,8 +39,10 @@ void say(int reply, const Statistics& words) {
 /// Memory that is asked for, not address space: that is what a shape needs whatever the allocator
 /// reserves, and asking for more ends in one clear line.
 void limit_memory(std::uint64_t bytes) {
+  // Embree asks for 128 MiB as it starts and does not touch them.
+  constexpr std::uint64_t kUntouched = std::uint64_t{144} << 20;
   if (bytes == 0) return;
-  const rlimit limit{bytes, bytes};
+  const rlimit limit{bytes + kUntouched, bytes + kUntouched};
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
@@ -65,6 +68,13 @@ std::string picture_of(const std::variant<Shape, Volume>& shape, const CurveSkel
   if (mesh) return encode_png(render_picture(*mesh, skeleton, kPictureSize));
   const Shape surface = boundary_surface(std::get<Volume>(shape));
   return encode_png(render_picture(surface, skeleton, kPictureSize));
+}
+
+std::string output_of(const std::string& kind, const std::variant<Shape, Volume>& shape,
+                      const CurveSkeleton& skeleton) {
+  if (kind == kPicture) return picture_of(shape, skeleton);
+  if (kind.starts_with(kMap)) return map_file(shape, skeleton, map_format_of(kind));
+  return format_skeleton(skeleton, output_skeleton_format("-", kind));
 }
 
 /// Written to the work folder, where what a killed worker leaves is found, then renamed.
@@ -96,9 +106,7 @@ Statistics work(const WorkerTask& task, int reply, Progress& progress) {
   progress.begin("write", 1);
   Statistics result{{"input", about}, {"status", "done"}};
   for (const std::string& kind : task.outputs.kinds()) {
-    const std::string bytes = kind == "png"
-                                  ? picture_of(shape, skeleton)
-                                  : format_skeleton(skeleton, output_skeleton_format("-", kind));
+    const std::string bytes = output_of(kind, shape, skeleton);
     write_output(task, kind, bytes);
     result["outputs"][kind] = bytes.size();
   }
@@ -129,7 +137,8 @@ Statistics result_of(const WorkerTask& task, int reply, Progress& progress) {
 
 std::vector<std::string> BatchOutputs::kinds() const {
   std::vector<std::string> kinds = formats;
-  if (with_picture) kinds.push_back("png");
+  if (with_picture) kinds.push_back(kPicture);
+  if (!map_format.empty()) kinds.push_back(kMap + map_format);
   return kinds;
 }
 

@@ -14,8 +14,9 @@ struct BatchOutputs {
   std::string folder;
   std::vector<std::string> formats;  ///< of skeletons
   bool with_picture = false;
+  std::string map_format;  ///< of the map of the surface; none if empty
 
-  /// Formats, and "png": the order in which they are written.
+  /// Formats, "png" and "map.csv" or the like, in the order in which they are written.
   std::vector<std::string> kinds() const;
 };
 

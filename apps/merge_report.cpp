@@ -58,7 +58,7 @@ Summary summarize(const MergedRows& rows) {
     add_number(summary.bytes, row, "input", "bytes");
     add_number(summary.triangles, row, "input", "triangles");
     add_number(summary.nodes, row, "skeleton", "nodes");
-    if (number_at(row, "outputs", "png")) summary.with_picture.push_back(i);
+    if (number_at(row, "outputs", kPicture)) summary.with_picture.push_back(i);
   }
   return summary;
 }
@@ -89,7 +89,7 @@ std::string caption_of(const Statistics& row) {
 std::string figure_of(const MergedRows& rows, std::size_t i) {
   const Statistics row = rows.row(i);
   try {
-    const std::string png = read_file(output_path(rows.folder(i), "png", text_at(row, "id")));
+    const std::string png = read_file(output_path(rows.folder(i), kPicture, text_at(row, "id")));
     return "<figure><img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\"><figcaption>" +
            caption_of(row) + "</figcaption></figure>\n";
   } catch (const Error&) {

@@ -58,13 +58,19 @@ void add_triangles(const SurfaceScene::Embree& embree, const NormalizedShape& sh
   rtcCommitGeometry(geometry);
 }
 
+[[noreturn]] void fail_to_start() {
+  if (rtcGetDeviceError(nullptr) == RTC_ERROR_OUT_OF_MEMORY)
+    throw Error(ErrorKind::Limit, "there is no memory for Embree; simplify the shape");
+  throw Error(ErrorKind::Internal, "Embree does not start");
+}
+
 }  // namespace
 
 SurfaceScene::SurfaceScene(const NormalizedShape& shape, Use use)
     : shape_(shape), embree_(std::make_unique<Embree>()) {
   Embree& e = *embree_;
   e.device = rtcNewDevice(kDevice);
-  if (e.device == nullptr) throw Error(ErrorKind::Internal, "Embree does not start");
+  if (e.device == nullptr) fail_to_start();
   e.scene = rtcNewScene(e.device);
   rtcSetSceneFlags(e.scene, kSceneFlags);
   if (!shape.triangles.empty()) add_triangles(e, shape, use);

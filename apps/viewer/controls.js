@@ -29,24 +29,26 @@ function showLayers(lines) {
 }
 
 /// The scale of radii, in the units of the file.
-function showScale({lines, radiusColours, unit}, byRadius) {
+function showScale({lines, unit}, {byRadius, colours}) {
   const scale = element("scale");
   if (!lines[0] || lines[0].radii.length === 0) return;
   scale.hidden = !byRadius;
   const [thin, thick] = rangeOf(lines[0].radii).map(r => figure(r * unit));
   element("thin").textContent = "radius " + thin;
   element("thick").textContent = thick + " (units of the file)";
-  element("bar").style.background = `linear-gradient(90deg, ${radiusColours.join(",")})`;
+  element("bar").style.background = `linear-gradient(90deg, ${colours.radii.map(c => `rgb(${c})`).join(",")})`;
 }
 
-function readColours(stages) {
+/// `stages` and `radii` are lists of colours; those of radii are made to stand out from dark too.
+function readColours(stages, radii, isDark) {
   const style = getComputedStyle(document.documentElement);
   const colour = name => {
     const text = style.getPropertyValue(name).trim();
     return colourOf(text.length === 7 ? text : "#808080");
   };
   return {paper: colour("--paper"), surface: colour("--surface"), joint: colour("--joint"),
-          tip: colour("--tip"), stages: stages.map(colourOf)};
+          tip: colour("--tip"), stages: stages.map(colourOf),
+          radii: radii.map(colourOf).map(c => isDark ? c.map(v => 0.62 * v + 97) : c)};
 }
 
 function chosen(name) {

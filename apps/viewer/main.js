@@ -9,10 +9,12 @@ let scene = null, matrices = null, isAsked = false;
 
 showFacts(data.facts);
 showLayers(data.lines);
-showScale(data, false);
+if (matchMedia("(max-width: 640px)").matches) element("panel").open = false;
 
 function look() {
-  return {byBranch: chosen("colour") === "branch", colours: readColours(kStages)};
+  const byBranch = chosen("colour") === "branch";
+  return {byBranch, byRadius: !byBranch,
+          colours: readColours(kStages, data.radiusColours, darkness.matches)};
 }
 
 function draw() {
@@ -33,7 +35,7 @@ function redraw() {
 
 function repaint() {
   const now = look();
-  showScale(data, !now.byBranch);
+  showScale(data, now);
   [...document.querySelectorAll(".swatch")].forEach((swatch, i) => {
     const own = data.palette[0] || kStages[0];
     swatch.style.background = i > 0 ? kStages[(i - 1) % kStages.length] : own;
@@ -83,8 +85,8 @@ listenToPointers(canvas, camera, redraw, tellNode);
 listenToKeys(camera, redraw, repaint);
 canvas.addEventListener("webglcontextlost", event => event.preventDefault());
 canvas.addEventListener("webglcontextrestored", start);
-element("panel").addEventListener("input", event => event.target.name === "colour" ? repaint() : redraw());
-element("panel").addEventListener("submit", event => event.preventDefault());
+element("choices").addEventListener("input", event => event.target.name === "colour" ? repaint() : redraw());
+element("choices").addEventListener("submit", event => event.preventDefault());
 element("reset").addEventListener("click", () => { camera.reset(); redraw(); });
 darkness.addEventListener("change", repaint);
 addEventListener("resize", redraw);

@@ -1,9 +1,12 @@
 // The shape and the lines as they are drawn.
-const kTubeWidth = 0.011, kStageWidth = 0.006, kJointWidth = 0.02, kTipWidth = 0.018;
+const kTubeWidth = 0.011, kStageWidth = 0.004, kJointWidth = 0.02;
 const kThinnest = 0.45;  // of a limb that a tube may fill
 
 /// How thick a tube may be in a limb.
 function tubeReach(radius) { return Math.max(kThinnest * radius, 0.5 * kStageWidth); }
+
+/// Joints and tips stay easy to see where limbs are thin.
+function markReach(radius) { return Math.max(radius, 0.6 * kJointWidth); }
 
 class Scene {
   constructor(canvas, data, look) {
@@ -34,7 +37,7 @@ class Scene {
       tubes: this.tubeBatch(positions, radii, edges),
       edges, nodes, degrees,
       knots: this.ballBatch(lines, nodes, 10, 6, tubeReach),
-      marks: this.ballBatch(lines, nodes.filter(isEnd), 16, 10),
+      marks: this.ballBatch(lines, nodes.filter(isEnd), 16, 10, markReach),
       balls: number > 0 ? null : {all: this.ballBatch(lines, nodes, 32, 20),
                                   ends: this.ballBatch(lines, nodes.filter(isEnd), 32, 20)},
     };
@@ -68,7 +71,7 @@ class Scene {
     return batch;
   }
 
-  /// New colours: {byBranch, colours: paper, surface, joint, tip, stages}.
+  /// New colours: {byBranch, colours: paper, surface, joint, tip, stages, radii}.
   paint(look) {
     this.look = look;
     const {branches} = this.data.shape, {colours, byBranch} = look;
@@ -82,7 +85,7 @@ class Scene {
 
   paintLines(batches, lines, number, palette) {
     const {byBranch, colours} = this.look;
-    const [thin, thick] = rangeOf(lines.radii), scale = this.data.radiusColours.map(colourOf);
+    const [thin, thick] = rangeOf(lines.radii), scale = colours.radii;
     const byRadius = n => along(scale, (lines.radii[n] - thin) / (thick - thin));
     const ofNode = [];
     const ofEdge = e => {

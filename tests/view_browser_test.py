@@ -97,7 +97,7 @@ def check_controls(browser, first):
         browser.key(key)
     # The stages, one after the other, and the skeleton again.
     layers = browser.value("document.querySelectorAll('.layer').length")
-    check(layers == 6, f"{layers} layers instead of 6")
+    check(layers == 7, f"{layers} layers instead of 7")
     for _ in range(layers - 1):
         browser.key("l")
     check(differing(first, browser.picture()) < 0.001, "the controls do not lead back")

@@ -50,7 +50,8 @@ void add_map_command(CLI::App& program) {
           ".binvox .raw, .nii.gz .raw.gz), or -")
       ->required()
       ->type_name("");
-  verb->add_option("SKELETON", request->skeleton, "Its skeleton: all that marrow convert reads, or -")
+  verb->add_option("SKELETON", request->skeleton,
+                   "Its skeleton: all that marrow convert reads, or -")
       ->required()
       ->type_name("");
   verb->add_option(

@@ -14,7 +14,8 @@ if [ -s stdout ] || [ -s stderr ]; then fail "view says something"; fi
 grep -q '<title>star.obj</title>' star.html || fail "no title"
 good view star.obj star.skel -o -
 same star.html stdout
-"$marrow" view - star.skel --from obj --title star.obj -o piped.html <star.obj || fail "no pipe"
+cp star.obj piped.obj
+"$marrow" view - star.skel --from obj --title star.obj -o piped.html <piped.obj || fail "no pipe"
 same star.html piped.html
 good view star.obj star.skel -o stages.html --trace stages
 for stage in tree core thinned collapsed smoothed; do

@@ -11,7 +11,7 @@ say "links in the documents"
 for page in README.md CHANGELOG.md docs/*.md; do
   links=$(grep -oE '\]\([^):]+\)' "$page" | tr -d '])(') || continue  # no colon: none of the web
   for link in $links; do
-    [ -e "$(dirname "$page")/$link" ] || die "$page: there is no $link"
+    [ -e "$(dirname "$page")/${link%%#*}" ] || die "$page: there is no $link"
   done
 done
 
@@ -19,7 +19,7 @@ say "shellcheck"
 git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources --source-path=SCRIPTDIR
 
 say "pyflakes"
-git ls-files -z bench tests |
+git ls-files -z apps bench tests |
   xargs -0 grep -lZ -E '^(#!/usr/bin/python3|""")' |
   xargs -0 /usr/bin/python3 -m pyflakes
 

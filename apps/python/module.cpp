@@ -34,6 +34,20 @@ Refinement refinement_of(const std::string& name) {
   throw Error(ErrorKind::Usage, "refine must be 'none', 'hull' or 'surface'");
 }
 
+Rules rules_of(const std::string& name) {
+  if (name == "marrow") return Rules::Marrow;
+  if (name == "paper") return Rules::Paper;
+  throw Error(ErrorKind::Usage, "rules must be 'marrow' or 'paper'");
+}
+
+/// A number, 21 or 81, or an array of directions.
+void set_views(ExtractOptions& options, const py::handle& views) {
+  if (py::isinstance<py::int_>(views))
+    options.views = views.cast<int>();
+  else
+    options.directions = shape_of(views.cast<Doubles>(), nullptr).points;
+}
+
 /// The keywords that every function which extracts takes.
 ExtractOptions options_of(const py::kwargs& keywords) {
   ExtractOptions options;
@@ -52,6 +66,10 @@ ExtractOptions options_of(const py::kwargs& keywords) {
       options.silhouettes = silhouettes_of(value.cast<std::string>());
     else if (name == "refine")
       options.refinement = refinement_of(value.cast<std::string>());
+    else if (name == "rules")
+      options.rules = rules_of(value.cast<std::string>());
+    else if (name == "views")
+      set_views(options, value);
     else if (name == "threads")
       options.max_threads = value.cast<int>();
     else if (name == "progress")
@@ -141,6 +159,8 @@ void bind_extractions(py::module_& m) {
       "smoothing: passes. silhouettes: 'scanline' or 'embree'.\n"
       "refine: 'surface' for lines and radii put right on the surface of a mesh, 'hull' for radii\n"
       "of the visual hull, 'none' for those of the matches.\n"
+      "rules: 'marrow', or 'paper' to compare with.\n"
+      "views: 21 or 81 directions, or an array of n x 3.\n"
       "threads: at most, 0 for all; the result does not depend on it.\n"
       "progress: called as progress(stage, done) with done from 0 to 1; may raise to stop.\n\n"
       "Other Python threads run meanwhile. Raises marrow.Error.");

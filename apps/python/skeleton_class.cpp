@@ -4,6 +4,7 @@
 #include <marrow/error.hpp>
 #include <marrow/parts.hpp>
 #include <marrow/skeleton_io.hpp>
+#include <marrow/surface_map.hpp>
 
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
@@ -105,6 +106,71 @@ void bind_making(py::class_<CurveSkeleton>& type) {
       }));
 }
 
+/// {"node", "branch", "part"}: an array of numbers for each, by `place(i)` of `count` places.
+template <class PlaceOf>
+py::dict map_arrays(std::vector<py::ssize_t> shape, std::size_t count, PlaceOf place) {
+  py::dict result;
+  const auto add = [&](const char* name, auto number) {
+    py::array_t<std::int64_t> array(shape);
+    std::int64_t* to = array.mutable_data();
+    for (std::size_t i = 0; i < count; ++i) {
+      const SurfaceMap::Place* at = place(i);
+      to[i] = at ? static_cast<std::int64_t>(number(*at)) : -1;
+    }
+    result[name] = array;
+  };
+  add("node", [](const auto& at) { return at.node; });
+  add("branch", [](const auto& at) { return at.branch; });
+  add("part", [](const auto& at) { return at.part; });
+  return result;
+}
+
+py::dict map_of(const CurveSkeleton& skeleton, const Doubles& vertices,
+                const std::optional<Indices>& faces) {
+  const Shape shape = shape_of(vertices, faces ? &*faces : nullptr);
+  SurfaceMap map;
+  {
+    const py::gil_scoped_release free;
+    map = map_surface(shape, skeleton);
+  }
+  // Polygons that cross themselves have added points behind those that were given.
+  const auto count = static_cast<std::size_t>(vertices.shape(0));
+  return map_arrays({vertices.shape(0)}, count, [&](std::size_t i) { return &map.places[i]; });
+}
+
+py::dict volume_map_of(const CurveSkeleton& skeleton, const py::array& values, double iso,
+                       const std::array<double, 3>& spacing, const std::array<double, 3>& origin) {
+  const Volume volume = volume_of(values, iso, {spacing[0], spacing[1], spacing[2]},
+                                  {origin[0], origin[1], origin[2]});
+  SurfaceMap map;
+  {
+    const py::gil_scoped_release free;
+    map = map_surface(volume, skeleton);
+  }
+  // Places run along x first, the arrays along z.
+  std::vector<const SurfaceMap::Place*> places(static_cast<std::size_t>(values.size()), nullptr);
+  std::size_t next = 0;
+  for (int z = 0; z < volume.nz; ++z)
+    for (int y = 0; y < volume.ny; ++y)
+      for (int x = 0; x < volume.nx; ++x)
+        if (volume(x, y, z))
+          places[static_cast<std::size_t>(
+              (static_cast<std::int64_t>(x) * volume.ny + y) * volume.nz + z)] =
+              &map.places[next++];
+  return map_arrays({values.shape(0), values.shape(1), values.shape(2)}, places.size(),
+                    [&](std::size_t i) { return places[i]; });
+}
+
+void bind_maps(py::class_<CurveSkeleton>& type) {
+  type.def("map", map_of, py::arg("vertices"), py::arg("faces") = py::none(),
+           "Which node, branch and part every vertex, or point of a cloud, belongs to: a dict of\n"
+           "arrays 'node', 'branch' and 'part'. Nothing is mapped across a gap.");
+  type.def("map_volume", volume_map_of, py::arg("values"), py::arg("iso") = 0.0,
+           py::arg("spacing") = std::array<double, 3>{1, 1, 1},
+           py::arg("origin") = std::array<double, 3>{0, 0, 0},
+           "The same for voxels, as arrays of the shape of values; -1 in the background.");
+}
+
 void bind_graph(py::class_<CurveSkeleton>& type) {
   type.def_property_readonly("nodes", positions, "Positions, n x 3, in the units of the shape.");
   type.def_property_readonly(
@@ -145,6 +211,7 @@ void bind_skeleton(py::module_& m) {
                                  "every node. Its arrays show its memory and are read-only.");
   bind_making(type);
   bind_graph(type);
+  bind_maps(type);
   type.def(
       "save",
       [](const CurveSkeleton& s, const py::object& path) { write_skeleton(path_of(path), s); },

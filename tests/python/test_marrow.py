@@ -81,6 +81,30 @@ def test_arrays_show_the_memory_of_their_skeleton():
     assert (nodes == copy).all()
 
 
+def test_every_vertex_has_its_branch():
+    vertices, faces = box([0, 0, 0], [1, 1, 9])
+    s = marrow.extract(vertices, faces)
+    told = s.map(vertices, faces)
+    assert set(told) == {"node", "branch", "part"}
+    near = np.linalg.norm(s.nodes[told["node"]] - vertices, axis=1)
+    assert (near < 2).all() and (told["branch"] == 0).all() and (told["part"] == 0).all()
+
+    rods = np.zeros((9, 5, 30), bool)
+    rods[1:3, 1:4, 1:29] = rods[6:8, 1:4, 1:29] = True
+    two = marrow.extract_volume(rods)
+    told = two.map_volume(rods)
+    assert told["part"].shape == rods.shape and ((told["part"] >= 0) == rods).all()
+    assert len(set(told["part"][:4][rods[:4]])) == len(set(told["part"][5:][rods[5:]])) == 1
+    assert told["part"][1, 1, 1] != told["part"][6, 1, 1]
+
+
+def test_viewpoints_and_rules(ring):
+    directions = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, 1, 1]]
+    assert marrow.extract(*torus(), views=directions).cycles == 1
+    assert marrow.extract(*torus(), views=21) == ring != marrow.extract(*torus(), views=81)
+    assert marrow.extract(*torus(), rules="paper") != ring
+
+
 @pytest.mark.parametrize("extension", ["obj", "skel", "ply", "json"])
 def test_files_read_back(ring, tmp_path, extension):
     path = tmp_path / ("ring." + extension)

@@ -1,5 +1,5 @@
 import os
-from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,6 +43,16 @@ class Skeleton:
     def joints(self) -> int: ...
     @property
     def length(self) -> float: ...
+    def map(
+        self, vertices: ArrayLike, faces: Optional[ArrayLike] = ...
+    ) -> Dict[str, NDArray[np.int64]]: ...
+    def map_volume(
+        self,
+        values: NDArray[Any],
+        iso: float = ...,
+        spacing: Sequence[float] = ...,
+        origin: Sequence[float] = ...,
+    ) -> Dict[str, NDArray[np.int64]]: ...
     def save(self, path: Path) -> None: ...
     def to_networkx(self) -> Any: ...
     def largest_part(self) -> "Skeleton": ...
@@ -58,6 +68,8 @@ def extract(
     grid: int = ...,
     closing: float = ...,
     smoothing: int = ...,
+    rules: str = ...,
+    views: Union[int, ArrayLike] = ...,
     silhouettes: str = ...,
     refine: str = ...,
     threads: int = ...,
@@ -72,6 +84,8 @@ def extract_volume(
     image: int = ...,
     grid: int = ...,
     smoothing: int = ...,
+    rules: str = ...,
+    views: Union[int, ArrayLike] = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> Skeleton: ...
@@ -83,6 +97,8 @@ def extract_file(
     grid: int = ...,
     closing: float = ...,
     smoothing: int = ...,
+    rules: str = ...,
+    views: Union[int, ArrayLike] = ...,
     silhouettes: str = ...,
     refine: str = ...,
     threads: int = ...,

@@ -108,7 +108,7 @@ void bind_making(py::class_<CurveSkeleton>& type) {
 
 /// {"node", "branch", "part"}: an array of numbers for each, by `place(i)` of `count` places.
 template <class PlaceOf>
-py::dict map_arrays(std::vector<py::ssize_t> shape, std::size_t count, PlaceOf place) {
+py::dict map_arrays(const std::vector<py::ssize_t>& shape, std::size_t count, PlaceOf place) {
   py::dict result;
   const auto add = [&](const char* name, auto number) {
     py::array_t<std::int64_t> array(shape);

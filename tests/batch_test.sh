@@ -278,9 +278,13 @@ kill -0 "$worker" 2>/dev/null && fail "a worker stays behind"
 # kill -9 again and again: in the end all rows once, as if nothing had been.
 for i in {1..40}; do echo "{\"path\": \"shapes/torus.ply\", \"id\": \"t$i\"}"; done >manifest
 batch 0 --manifest manifest -o calm
-for pause in 0.02 0.05 0.08 0.1 0.12; do
+for rows in 1 5 12 20 30; do
   "$marrow" batch --manifest manifest -o wild "${quick[@]}" "${options[@]}" --resume --quiet &
-  sleep $pause
+  # As soon as there are so many, or it has ended all the same.
+  until [ "$(cat wild/results-*.jsonl 2>/dev/null | wc -l)" -ge $rows ]; do
+    kill -0 $! 2>/dev/null || break
+    sleep 0.01
+  done
   kill -KILL $!
   wait $! 2>/dev/null
 done

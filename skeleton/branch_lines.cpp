@@ -20,7 +20,8 @@ BranchLine line_of(const CurveSkeleton& skeleton, const Branch& branch,
   line.least_edges = branch.is_closed() ? 3 : std::min<std::size_t>(branch.nodes.size() - 1, 2);
   for (const NodeId n : branch.nodes) {
     const auto& node = skeleton.nodes[n];
-    line.points.push_back({node.position, node.radius, node.section_radius});
+    line.points.push_back(
+        {.position = node.position, .radius = node.radius, .section_radius = node.section_radius});
   }
   if (line.is_ring) line.points.pop_back();
   return line;
@@ -29,8 +30,10 @@ BranchLine line_of(const CurveSkeleton& skeleton, const Branch& branch,
 /// The point at a share of the way from `a` to `b`.
 LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
   const auto mix = [share](double x, double y) { return x * (1 - share) + y * share; };
+  const double way = distance(a.position, b.position);
   return {a.position * (1 - share) + b.position * share, mix(a.radius, b.radius),
-          mix(a.section_radius, b.section_radius)};
+          mix(a.section_radius, b.section_radius),
+          std::min(a.most + way * share, b.most + way * (1 - share))};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ struct LinePoint {
   Vec3 position;
   double radius = 0;          ///< of the inscribed ball
   double section_radius = 0;  ///< mean half width of the section
+  double most = 4;            ///< what the radius is at most; 4: nothing is known of it
 };
 
 /// A branch: its points from end to end. A ring has no end, and no point twice.

@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 
+#include "band_matrix_detail.hpp"
 #include "elastic_line_detail.hpp"
 
 namespace marrow {
@@ -9,7 +10,7 @@ namespace marrow {
 namespace {
 
 constexpr double kLeastLength = 1e-5;  // normalised: shorter edges count as this long
-constexpr double kPrecision = 1e-9;    // of the squared residual
+constexpr double kPrecision = 1e-18;   // of the squared residual
 constexpr int kMostSteps = 200;
 
 /// Numbers the points of all lines; one number for a joint.
@@ -67,16 +68,8 @@ class ElasticForm {
     }
   }
 
-  /// Inverses of the blocks on the diagonal.
-  std::vector<Symmetric3> block_inverses() const {
-    std::vector<Symmetric3> blocks = held_;
-    for (const Bend& bend : bends_)
-      for (std::size_t k = 0; k < 3; ++k)
-        blocks[bend.points[k]] = blocks[bend.points[k]] +
-                                 scaled_identity(bend.weight * bend.factors[k] * bend.factors[k]);
-    for (Symmetric3& block : blocks) block = inverse(block);
-    return blocks;
-  }
+  std::span<const Symmetric3> held() const { return held_; }
+  std::span<const Bend> bends() const { return bends_; }
 
  private:
   void add(const BranchLine& line, const std::vector<Hold>& holds, std::size_t l,
@@ -106,6 +99,77 @@ class ElasticForm {
   std::vector<Bend> bends_;
 };
 
+/// The points of each line between its joints, as if all others stood still, and the joints each
+/// on its own: nearly the inverse of the form, as lines touch in joints only.
+class LineInverse {
+ public:
+  LineInverse(std::span<const BranchLine> lines, const ElasticForm& form, const Numbering& number)
+      : place_(number.count()) {
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      Part part{{}, BandMatrix(0)};
+      for (std::size_t i = 0; i < lines[l].size(); ++i)
+        if (!lines[l].is_joint(i)) part.points.push_back(number(l, i));
+      add(std::move(part));
+    }
+    for (std::size_t n = 0; n < place_.size(); ++n)
+      if (place_[n].part == kNone) add({{n}, BandMatrix(0)});
+    fill(form);
+  }
+
+  void apply(std::span<const Vec3> x, std::span<Vec3> result) const {
+    std::vector<Vec3> values;
+    for (const Part& part : parts_) {
+      values.clear();
+      for (const std::size_t n : part.points) values.push_back(x[n]);
+      part.matrix.solve(values);
+      for (std::size_t i = 0; i < values.size(); ++i) result[part.points[i]] = values[i];
+    }
+  }
+
+ private:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  struct Part {
+    std::vector<std::size_t> points;
+    BandMatrix matrix;
+  };
+  struct Place {
+    std::size_t part = kNone, index = 0;
+  };
+
+  void add(Part part) {
+    for (std::size_t i = 0; i < part.points.size(); ++i)
+      place_[part.points[i]] = {parts_.size(), i};
+    part.matrix = BandMatrix(part.points.size());
+    parts_.push_back(std::move(part));
+  }
+
+  void fill(const ElasticForm& form) {
+    for (std::size_t n = 0; n < place_.size(); ++n)
+      parts_[place_[n].part].matrix.add(place_[n].index, form.held()[n]);
+    for (const Bend& bend : form.bends()) {
+      const bool closes_ring = is_far(bend, 0, 1) || is_far(bend, 1, 2) || is_far(bend, 0, 2);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = closes_ring ? a : 0; b <= a; ++b) add(bend, a, b);
+    }
+    for (Part& part : parts_) part.matrix.factorise();
+  }
+
+  /// Whether two points of a bend are of one part but not near in it, as where a ring closes.
+  bool is_far(const Bend& bend, std::size_t a, std::size_t b) const {
+    const Place &p = place_[bend.points[a]], &q = place_[bend.points[b]];
+    return p.part == q.part && std::max(p.index, q.index) - std::min(p.index, q.index) > 2;
+  }
+
+  void add(const Bend& bend, std::size_t a, std::size_t b) {
+    const Place &p = place_[bend.points[a]], &q = place_[bend.points[b]];
+    if (p.part == q.part)
+      parts_[p.part].matrix.add(p.index, q.index, bend.weight * bend.factors[a] * bend.factors[b]);
+  }
+
+  std::vector<Place> place_;
+  std::vector<Part> parts_;
+};
+
 double product(std::span<const Vec3> a, std::span<const Vec3> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
@@ -113,13 +177,12 @@ double product(std::span<const Vec3> a, std::span<const Vec3> b) {
 }
 
 /// Conjugate gradients from `x` on.
-void solve(const ElasticForm& form, std::vector<Vec3>& x) {
+void solve(const ElasticForm& form, const LineInverse& nearly_inverse, std::vector<Vec3>& x) {
   const std::size_t n = x.size();
-  const std::vector<Symmetric3> blocks = form.block_inverses();
   std::vector<Vec3> residual(n), image(n), eased(n);
   form.multiply(x, image);
   for (std::size_t i = 0; i < n; ++i) residual[i] = form.drawn()[i] - image[i];
-  for (std::size_t i = 0; i < n; ++i) eased[i] = blocks[i] * residual[i];
+  nearly_inverse.apply(residual, eased);
   std::vector<Vec3> step = eased;
   double descent = product(residual, eased);
   const double enough = kPrecision * descent;
@@ -129,8 +192,8 @@ void solve(const ElasticForm& form, std::vector<Vec3>& x) {
     for (std::size_t i = 0; i < n; ++i) {
       x[i] += step[i] * along;
       residual[i] += image[i] * -along;
-      eased[i] = blocks[i] * residual[i];
     }
+    nearly_inverse.apply(residual, eased);
     const double next = product(residual, eased);
     for (std::size_t i = 0; i < n; ++i) step[i] = eased[i] + step[i] * (next / descent);
     descent = next;
@@ -144,7 +207,8 @@ std::vector<std::vector<Vec3>> relax(std::span<const BranchLine> lines, const Ho
   std::vector<Vec3> x(number.count());
   for (std::size_t l = 0; l < lines.size(); ++l)
     for (std::size_t i = 0; i < lines[l].size(); ++i) x[number(l, i)] = lines[l].points[i].position;
-  solve(ElasticForm(lines, holds, number), x);
+  const ElasticForm form(lines, holds, number);
+  solve(form, LineInverse(lines, form, number), x);
   std::vector<std::vector<Vec3>> places(lines.size());
   for (std::size_t l = 0; l < lines.size(); ++l)
     for (std::size_t i = 0; i < lines[l].size(); ++i) places[l].push_back(x[number(l, i)]);

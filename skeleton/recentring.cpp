@@ -12,7 +12,10 @@ constexpr double kStiffness = 0.5;         // radii: bends shorter than this are
 constexpr double kLeastStiffness = 0.004;  // of the diagonal, in place of a smaller radius
 constexpr double kMostStep = 0.5;          // radii in one round, where the way is blocked
 constexpr double kJointWeight = 0.02;
-constexpr double kLeafWeight = 4;  // along the line
+constexpr double kBall = 0.9;   // radii of a joint: so far the walls are those of all its limbs
+constexpr double kClear = 1.3;  // radii of a joint: from here on they are the limb's own
+constexpr double kLeastHold = 0.02;  // of what the walls in a joint say
+constexpr double kLeafWeight = 4;    // along the line
 
 /// A point on its way, and how far it may go.
 struct Travel {
@@ -29,18 +32,47 @@ double stiffness_of(const LinePoint& p, double diagonal) {
   return bend * bend * bend * bend;
 }
 
-/// What a point of a line is drawn by; a point that sees its section may go to its middle.
+void measure(LinePoint& p, const SurfaceProbe& probe) {
+  p.most = p.radius = probe.radius(p.position, p.most);
+}
+
+/// 0 in the ball of a joint, where the walls are those of other limbs too; 1 clear of it.
+double aloneness(const BranchLine& line, std::size_t i) {
+  double result = 1;
+  for (const std::size_t end : {std::size_t{0}, line.size() - 1}) {
+    if (!line.is_joint(end)) continue;
+    const LinePoint& joint = line.points[end];
+    const double share = distance(line.points[i].position, joint.position) / joint.radius;
+    result = std::min(result, std::clamp((share - kBall) / (kClear - kBall), kLeastHold, 1.0));
+  }
+  return result;
+}
+
+/// What a point of a line is drawn by; sets its radius to what it sees. A point that sees its
+/// section may go to its middle.
 Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& leash) {
   LinePoint& p = line.points[i];
-  const double stiffness = stiffness_of(p, probe.diagonal());
   const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
   if (line.is_joint(i) || tangent == Vec3{})
-    return {p.position, scaled_identity(kJointWeight), stiffness};
-  const Section section = probe.section(p.position, tangent);
+    return {p.position, scaled_identity(kJointWeight), stiffness_of(p, probe.diagonal())};
+  const Walls walls = probe.walls_across(p.position, tangent);
+  if (walls.count > 0) p.most = p.radius = walls.nearest;  // near enough, and sooner known
+  const Section section = probe.section(p.position, tangent, walls, p.radius);
   leash = std::max(leash, section.half_width);
-  if (section.radius > 0) p.radius = section.radius;
   const double along = line.is_leaf(i) ? kLeafWeight : 0;  // or the line would straighten there
-  return {section.centre, section.weight + outer_square(tangent) * along, stiffness};
+  const Symmetric3 weight = section.weight + outer_square(tangent) * along;
+  return {section.centre, weight * aloneness(line, i), stiffness_of(p, probe.diagonal())};
+}
+
+/// What the points of a line are drawn by; `travels` of those that see their section get longer.
+std::vector<Hold> holds_of(BranchLine& line, const SurfaceProbe& probe,
+                           std::vector<Travel>& travels) {
+  for (const std::size_t end : {std::size_t{0}, line.size() - 1})
+    if (line.is_joint(end)) measure(line.points[end], probe);
+  std::vector<Hold> holds;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    holds.push_back(hold_of(line, i, probe, travels[i].leash));
+  return holds;
 }
 
 /// `to`, but no farther than `most` from `from`.
@@ -53,7 +85,9 @@ void move(LinePoint& p, const Vec3& place, const Travel& travel, const SurfacePr
   const Vec3 to = no_farther(travel.start, place, travel.leash);
   const double most = kMostStep * p.radius;
   const bool is_far = distance(p.position, to) > most && probe.is_blocked(p.position, to);
-  p.position = is_far ? no_farther(p.position, to, most) : to;
+  const Vec3 reached = is_far ? no_farther(p.position, to, most) : to;
+  p.most += distance(p.position, reached);
+  p.position = reached;
 }
 
 /// Moves a point that lies outside the surface into the limb beside it.
@@ -62,10 +96,21 @@ void bring_inside(LinePoint& p, Travel& travel, const SurfaceProbe& probe) {
   const auto inside = probe.inside_near(p.position);
   if (!inside) return;
   p.position = *inside;
+  p.most = SurfaceProbe::kFar;
   travel = {p.position, travel.leash};
 }
 
 }  // namespace
+
+LinePoint measured(const Vec3& p, const SurfaceProbe& probe, double most) {
+  LinePoint result{.position = p, .most = most};
+  measure(result, probe);
+  return result;
+}
+
+void measure(BranchLine& line, const SurfaceProbe& probe) {
+  for (LinePoint& p : line.points) measure(p, probe);
+}
 
 void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rounds) {
   std::vector<std::vector<Travel>> travels;
@@ -79,19 +124,13 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
       BranchLine& line = lines[l];
       for (std::size_t i = 0; i < line.size(); ++i)
         bring_inside(line.points[i], travels[l][i], probe);
-      auto& of_line = holds.emplace_back();
-      for (std::size_t i = 0; i < line.size(); ++i)
-        of_line.push_back(hold_of(line, i, probe, travels[l][i].leash));
+      holds.push_back(holds_of(line, probe, travels[l]));
     }
     const auto places = relax(lines, holds);
     for (std::size_t l = 0; l < lines.size(); ++l)
       for (std::size_t i = 0; i < lines[l].size(); ++i)
         move(lines[l].points[i], places[l][i], travels[l][i], probe);
   }
-}
-
-void measure(BranchLine& line, const SurfaceProbe& probe) {
-  for (LinePoint& p : line.points) p.radius = probe.radius(p.position);
 }
 
 void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
@@ -101,7 +140,8 @@ void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
     p.section_radius = p.radius;
     const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
     if (line.is_joint(i) || tangent == Vec3{}) continue;
-    const Section section = probe.section(p.position, tangent);
+    const Section section =
+        probe.section(p.position, tangent, probe.walls_across(p.position, tangent), p.radius);
     p.section_radius = std::clamp(section.half_width, p.radius, kMost * p.radius);
   }
   const auto fade = [&](std::size_t joint, auto along) {

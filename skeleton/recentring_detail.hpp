@@ -12,6 +12,13 @@ namespace marrow {
 /// outside the surface go into the limb beside them first. Radii are rough from here on.
 void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rounds);
 
+/// Moves joints to where the limbs that meet there point to, and lets their lines run straight
+/// there from where each limb is alone.
+void meet_at_joints(std::vector<BranchLine>& lines, const SurfaceProbe& probe);
+
+/// A point with its radius, known to be at most `most`.
+LinePoint measured(const Vec3& p, const SurfaceProbe& probe, double most = SurfaceProbe::kFar);
+
 /// Sets the radii to the distances to the surface.
 void measure(BranchLine& line, const SurfaceProbe& probe);
 

@@ -8,13 +8,8 @@ namespace marrow {
 
 namespace {
 
+constexpr int kRounds = 2;
 constexpr double kLeastStep = 0.002, kMostStep = 0.03;  // between points, of the diagonal
-
-/// A node that no line leads to.
-CurveSkeleton::Node measured(const Vec3& place, const SurfaceProbe& probe) {
-  const double radius = probe.radius(place);
-  return {place, radius, radius};
-}
 
 }  // namespace
 
@@ -23,12 +18,15 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
   for (const auto& node : skeleton.nodes) places.push_back(node.position);
   const SurfaceProbe probe(input, places);
   std::vector<BranchLine> lines = lines_of(skeleton);
-  // Steps follow the radius, which is known better after the first round.
-  for (const int rounds : {1, 2}) {
+  const auto resample = [&] {
     for (BranchLine& line : lines)
       line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
-    recentre(lines, probe, rounds);
-  }
+  };
+  resample();
+  recentre(lines, probe, kRounds);
+  meet_at_joints(lines, probe);
+  resample();  // steps follow the radius, which is known better now
+  recentre(lines, probe, kRounds);
   for (BranchLine& line : lines) {
     measure(line, probe);
     mend_edges(line, probe);
@@ -38,7 +36,9 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
   CurveSkeleton result = assemble(skeleton, lines);
   const std::vector<int> degree = degrees(result);
   for (std::size_t n = 0; n < degree.size(); ++n)
-    if (degree[n] == 0) result.nodes[n] = measured(result.nodes[n].position, probe);
+    if (degree[n] == 0)
+      result.nodes[n].radius = result.nodes[n].section_radius =
+          probe.radius(result.nodes[n].position);
   return result;
 }
 

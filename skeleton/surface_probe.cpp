@@ -15,8 +15,10 @@ constexpr double kLeastClip = 1e-4;  // of the diagonal, in place of a smaller r
 constexpr double kClip = 4;          // radii: walls farther off are not told apart
 constexpr double kSoft = 0.05;       // keeps a target near where nothing is told
 constexpr double kAlong = 0.1;       // weight of a point along the line
+constexpr double kLeast = 1e-3;      // weight in every direction
 constexpr double kUntold = 0.02;     // weight where too few walls are seen
 constexpr double kThinWall = 0.06;   // of the diagonal: two walls with a limb between them
+constexpr double kRounding = 1e-9;   // of sums of distances, relative
 constexpr double kRootHalf = 0.70710678118654752;
 
 /// An icosahedron's six axes, turned so that none runs along a face of a box.
@@ -99,7 +101,8 @@ std::optional<SurfaceHit> SurfaceProbe::nearest_wall(const Vec3& p, double reach
 }
 
 double SurfaceProbe::radius(const Vec3& p, double most) const {
-  auto hit = nearest_wall(p, std::min(hull(p) + 2 * input_.pixel, most));
+  const double bound = most < kFar ? most * (1 + kRounding) : hull(p) + 2 * input_.pixel;
+  auto hit = nearest_wall(p, bound);
   if (!hit) hit = nearest_wall(p, kFar);  // the hull of an open shape may be less than the shape
   return std::max(hit ? hit->distance : hull(p), 1e-6 * diagonal_);
 }
@@ -113,37 +116,38 @@ std::optional<SurfaceHit> SurfaceProbe::wall(const Vec3& from, const Vec3& direc
   return {};
 }
 
-Section SurfaceProbe::section(const Vec3& p, const Vec3& tangent) const {
-  struct Pair {
-    Vec3 direction;
-    double ahead, back;
-  };
+Walls SurfaceProbe::walls_across(const Vec3& p, const Vec3& tangent) const {
   const auto [u, v] = across(tangent);
-  std::array<Pair, 4> pairs;
-  std::size_t seen = 0;
-  double radius = kFar;
+  Walls walls;
   for (const Vec3& e : {u, (u + v) * kRootHalf, v, (v - u) * kRootHalf}) {
     const auto a = wall(p, e), b = wall(p, -e);
     if (!a || !b) continue;
-    pairs[seen++] = {e, a->distance, b->distance};
-    radius = std::min({radius, a->distance, b->distance});
+    const double nearest = std::min(a->distance, b->distance);
+    walls.nearest = walls.count == 0 ? nearest : std::min(walls.nearest, nearest);
+    walls.pairs[walls.count++] = {e, a->distance, b->distance};
   }
-  if (seen < 2) return {scaled_identity(kUntold), p, 0, 0};
+  return walls;
+}
+
+Section SurfaceProbe::section(const Vec3& p, const Vec3& tangent, const Walls& walls,
+                              double radius) const {
+  if (walls.count < 2) return {scaled_identity(kUntold), p, 0};
   Symmetric3 told;
   Vec3 pull;
   std::array<double, 4> halves{};
   const double clip = kClip * std::max(radius, kLeastClip * diagonal_);
-  for (std::size_t i = 0; i < seen; ++i) {
-    const double ahead = std::min(pairs[i].ahead, clip), back = std::min(pairs[i].back, clip);
+  for (std::size_t i = 0; i < walls.count; ++i) {
+    const Walls::Pair& pair = walls.pairs[i];
+    const double ahead = std::min(pair.ahead, clip), back = std::min(pair.back, clip);
     const double half = 0.5 * (ahead + back), off = 0.5 * (ahead - back);
     const double share = radius / half, weight = 0.5 * share * share;
-    told = told + outer_square(pairs[i].direction) * weight;
-    pull += pairs[i].direction * (weight * off);
+    told = told + outer_square(pair.direction) * weight;
+    pull += pair.direction * (weight * off);
     halves[i] = half;
   }
   const Vec3 centre = p + inverse(told + scaled_identity(kSoft)) * pull;
-  return {told + outer_square(tangent) * kAlong, centre, radius,
-          median(std::span(halves).first(seen))};
+  return {told + outer_square(tangent) * kAlong + scaled_identity(kLeast), centre,
+          median(std::span(halves).first(walls.count))};
 }
 
 double SurfaceProbe::ahead(const Vec3& p, const Vec3& direction) const {

@@ -3,6 +3,7 @@
 
 #include <marrow/refinement.hpp>
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -10,12 +11,22 @@
 
 namespace marrow {
 
-/// The walls that a point sees in the plane across the line.
+/// Opposite walls that a point sees in the plane across a line.
+struct Walls {
+  struct Pair {
+    Vec3 direction;
+    double ahead, back;
+  };
+  std::array<Pair, 4> pairs;
+  std::size_t count = 0;  ///< of the pairs: those with two walls
+  double nearest = 0;     ///< way to the nearest of them; 0: none
+};
+
+/// What these walls say of the middle.
 struct Section {
   Symmetric3 weight;      ///< how firmly each direction is told: flat sections say little of their
                           ///< long side
   Vec3 centre;            ///< where opposite walls are as far
-  double radius = 0;      ///< way to the nearest of these walls; 0: too few
   double half_width = 0;  ///< median over the directions; 0: too few walls
 };
 
@@ -31,9 +42,11 @@ class SurfaceProbe {
 
   /// Radius of the ball that the silhouettes allow, half a pixel at least.
   double hull(const Vec3& p) const;
-  /// Distance to the surface, known to be no more than `most`.
+  /// Distance to the surface; the sooner found the less it is known to be at most.
   double radius(const Vec3& p, double most = kFar) const;
-  Section section(const Vec3& p, const Vec3& tangent) const;
+  Walls walls_across(const Vec3& p, const Vec3& tangent) const;
+  /// At a point whose distance to the surface is `radius`.
+  Section section(const Vec3& p, const Vec3& tangent, const Walls& walls, double radius) const;
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;
   bool is_outside(const Vec3& p) const;

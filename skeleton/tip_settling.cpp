@@ -33,8 +33,6 @@ bool touches_end(const BranchLine& line, std::size_t i, const SurfaceProbe& prob
   return way != Vec3{} && gap(line.points[i], way, probe) <= kGap * line.points[i].radius;
 }
 
-LinePoint measured(const Vec3& p, const SurfaceProbe& probe) { return {p, probe.radius(p), 0}; }
-
 /// Takes points off until the one behind the leaf does not touch the end, then moves the leaf to
 /// the first place that does.
 void shorten(BranchLine& line, const SurfaceProbe& probe) {
@@ -46,7 +44,9 @@ void shorten(BranchLine& line, const SurfaceProbe& probe) {
   if (line.size() == 2 && touches_end(line, 0, probe)) return;
   for (int k = 0; k < kHalvings; ++k) {
     const LinePoint touching = line.points[leaf];
-    line.points[leaf] = measured((behind.position + touching.position) * 0.5, probe);
+    line.points[leaf] =
+        measured((behind.position + touching.position) * 0.5, probe,
+                 behind.radius + 0.5 * distance(behind.position, touching.position));
     if (touches_end(line, leaf, probe)) continue;
     behind = line.points[leaf];
     line.points[leaf] = touching;
@@ -56,10 +56,12 @@ void shorten(BranchLine& line, const SurfaceProbe& probe) {
 /// The next place on the way out of a limb, in the middle of it.
 LinePoint next_place(const LinePoint& last, const Vec3& way, double step,
                      const SurfaceProbe& probe) {
-  const LinePoint ahead = measured(last.position + way * step, probe);
-  const Vec3 off = probe.section(ahead.position, way).centre - ahead.position;
+  const LinePoint ahead = measured(last.position + way * step, probe, last.radius + step);
+  const Walls walls = probe.walls_across(ahead.position, way);
+  const Vec3 off = probe.section(ahead.position, way, walls, ahead.radius).centre - ahead.position;
   const double far = length(off), most = 0.5 * std::min(ahead.radius, step);
-  return measured(ahead.position + (far > most ? off * (most / far) : off), probe);
+  const Vec3 place = ahead.position + (far > most ? off * (most / far) : off);
+  return measured(place, probe, ahead.radius + std::min(far, most));
 }
 
 /// Adds points until the ball of the last one touches the end of the limb.

@@ -4,6 +4,7 @@
 #include <analytic_shapes.hpp>
 #include <tube.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "catch.hpp"
@@ -137,6 +138,28 @@ TEST_CASE("a flat section keeps the line in its middle and widens the section", 
     CHECK(std::abs(n.position.z) < 0.004);
     CHECK(std::abs(n.position.y) < 0.1);
     if (std::abs(n.position.x) < 1.5) CHECK(n.section_radius > 1.3 * n.radius);
+  }
+}
+
+TEST_CASE("a joint goes to where its limbs point to", "[refinement]") {
+  for (const char* name : {"y-union", "y"}) {
+    INFO(name);
+    const AnalyticShape y = make_analytic_shape(name);
+    CurveSkeleton off = y.truth;
+    const std::vector<int> degree = degrees(off);
+    const std::size_t joint =
+        static_cast<std::size_t>(std::find(degree.begin(), degree.end(), 3) - degree.begin());
+    REQUIRE(joint < degree.size());
+    const Vec3 truth = off.nodes[joint].position;
+    const double radius = off.nodes[joint].radius;
+    off.nodes[joint].position += Vec3{0.3, 0.5, 0.1} * radius;
+    const CurveSkeleton s = Stage(y.shape).recentred(off);
+    check_same_topology(s, off);
+    double nearest = radius;
+    const std::vector<int> after = degrees(s);
+    for (std::size_t n = 0; n < after.size(); ++n)
+      if (after[n] == 3) nearest = std::min(nearest, distance(s.nodes[n].position, truth));
+    CHECK(nearest < 0.15 * radius);
   }
 }
 

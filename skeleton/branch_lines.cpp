@@ -46,9 +46,9 @@ std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton) {
   return lines;
 }
 
-BranchLine resampled(const BranchLine& line, double least, double most) {
+BranchLine resampled(const BranchLine& line, double radii, double least, double most) {
   const auto step = [&](std::size_t i) {
-    return std::clamp(0.5 * line.points[i].radius, least, most);
+    return std::clamp(radii * line.points[i].radius, least, most);
   };
   std::vector<double> steps_before{0};  // how many steps lead to each point; to the first again
   for (std::size_t e = 0; e < line.edge_count(); ++e)

@@ -42,8 +42,8 @@ struct BranchLine {
 /// The branches of a skeleton. Nodes without an edge are in none.
 std::vector<BranchLine> lines_of(const CurveSkeleton& skeleton);
 
-/// The same line with points at steps of half the radius, but `least` to `most`.
-BranchLine resampled(const BranchLine& line, double least, double most);
+/// The same line with points at steps of so many radii, but `least` to `most`.
+BranchLine resampled(const BranchLine& line, double radii, double least, double most);
 
 /// The place `reach` away from point `i` along the line, as far as the line goes.
 Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwards);

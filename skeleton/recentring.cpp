@@ -122,7 +122,7 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
     Holds holds;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       BranchLine& line = lines[l];
-      for (std::size_t i = 0; i < line.size(); ++i)
+      for (std::size_t i = 0; round == 0 && i < line.size(); ++i)
         bring_inside(line.points[i], travels[l][i], probe);
       holds.push_back(holds_of(line, probe, travels[l]));
     }

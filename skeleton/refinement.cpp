@@ -9,7 +9,17 @@ namespace marrow {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kLeastStep = 0.002, kMostStep = 0.03;  // between points, of the diagonal
+
+/// How far points of a line are from each other.
+struct Spacing {
+  double radii, least, most;  ///< in radii; of the diagonal
+};
+constexpr Spacing kCoarse{1, 0.004, 0.03}, kFine{0.5, 0.002, 0.03};
+
+void resample(std::vector<BranchLine>& lines, const Spacing& spacing, double diagonal) {
+  for (BranchLine& line : lines)
+    line = resampled(line, spacing.radii, spacing.least * diagonal, spacing.most * diagonal);
+}
 
 }  // namespace
 
@@ -18,14 +28,10 @@ CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& inp
   for (const auto& node : skeleton.nodes) places.push_back(node.position);
   const SurfaceProbe probe(input, places);
   std::vector<BranchLine> lines = lines_of(skeleton);
-  const auto resample = [&] {
-    for (BranchLine& line : lines)
-      line = resampled(line, kLeastStep * probe.diagonal(), kMostStep * probe.diagonal());
-  };
-  resample();
+  resample(lines, kCoarse, probe.diagonal());
   recentre(lines, probe, kRounds);
   meet_at_joints(lines, probe);
-  resample();  // steps follow the radius, which is known better now
+  resample(lines, kFine, probe.diagonal());  // by radii that are known better now
   recentre(lines, probe, kRounds);
   for (BranchLine& line : lines) {
     measure(line, probe);

@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "command.hpp"
-#include "limits.hpp"
+#include "pair_input.hpp"
 #include "statistics.hpp"
-#include "volume_input.hpp"
 
 namespace marrow {
 
@@ -24,9 +23,7 @@ struct Gates {
 };
 
 struct CheckRequest {
-  std::string shape, skeleton, from;
-  VolumeRequest volume;
-  Limits limits;
+  PairRequest pair;
   Gates gates;
   bool json = false;
 };
@@ -144,16 +141,11 @@ SkeletonQuality measure(const InputFile& shape, const VolumeRequest& volume,
 }
 
 void run_check(const CheckRequest& request) {
-  start_clock(request.limits, request.shape);
-  if (request.shape == "-" && request.skeleton == "-")
-    throw Error(ErrorKind::Usage, "only one of SHAPE and SKELETON can be standard input");
-  const bool shape_is_named = request.skeleton != "-";
-  const InputFile shape =
-      read_input(request.shape, shape_is_named ? request.from : "", request.limits.read);
-  const InputFile file =
-      read_input(request.skeleton, shape_is_named ? "" : request.from, request.limits.read);
+  start_clock(request.pair);
+  const InputFile shape = read_shape_of(request.pair);
+  const InputFile file = read_skeleton_of(request.pair);
   const CurveSkeleton skeleton = skeleton_of(file);
-  const SkeletonQuality quality = measure(shape, request.volume, skeleton, file.name);
+  const SkeletonQuality quality = measure(shape, request.pair.volume, skeleton, file.name);
 
   Statistics figures = statistics_of(skeleton, quality);
   const std::string failures = failures_of(figures, request.gates);
@@ -194,21 +186,9 @@ void add_gates(CLI::App& verb, Gates& gates) {
 void add_check_command(CLI::App& program) {
   const auto request = std::make_shared<CheckRequest>();
   CLI::App* verb = program.add_subcommand("check", "How good a skeleton is for its shape");
-  verb->add_option(
-          "SHAPE", request->shape,
-          "Shape (.obj .ply .stl .off), point cloud (.xyz .pcd) or volume (.nrrd .nhdr .nii\n"
-          ".binvox .raw, .nii.gz .raw.gz), or -")
-      ->required()
-      ->type_name("");
-  verb->add_option("SKELETON", request->skeleton, "Skeleton: .obj .skel .ply .json, or -")
-      ->required()
-      ->type_name("");
-  add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
-                    input_and_skeleton_formats());
-  add_volume_options(*verb, request->volume);
   verb->add_flag("--json", request->json, "JSON instead of a table; what is not defined is null");
   add_gates(*verb, request->gates);
-  add_limit_options(*verb, request->limits);
+  add_pair_options(*verb, request->pair);
   verb->footer(
       "Lengths are in percent of the diagonal of the shape's box. What the shape does not define\n"
       "is n/a: what is outside of a point cloud, the handles of an open surface. A gate on it\n"

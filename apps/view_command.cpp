@@ -8,9 +8,8 @@
 #include <memory>
 
 #include "command.hpp"
-#include "limits.hpp"
+#include "pair_input.hpp"
 #include "viewer/view_page.hpp"
-#include "volume_input.hpp"
 
 namespace marrow {
 
@@ -19,9 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ViewRequest {
-  std::string shape, skeleton, from, out, title, trace;
-  VolumeRequest volume;
-  Limits limits;
+  PairRequest pair;
+  std::string out, title, trace;
 };
 
 Shape surface_of(const InputFile& input, const VolumeRequest& volume) {
@@ -61,30 +59,24 @@ void check_request(const ViewRequest& request) {
   const std::string extension = extension_of(request.out);
   if (request.out != "-" && extension != "html" && extension != "htm")
     throw Error(ErrorKind::Unsupported, request.out + ": pages are .html files");
-  if (request.shape == "-" && request.skeleton == "-")
-    throw Error(ErrorKind::Usage, "only one of SHAPE and SKELETON can be standard input");
-  check_outputs({request.out}, {request.shape, request.skeleton});
+  check_outputs({request.out}, {request.pair.shape, request.pair.skeleton});
 }
 
 std::string title_of(const ViewRequest& request) {
   if (!request.title.empty()) return request.title;
-  const std::string& named = request.shape != "-" ? request.shape : request.skeleton;
+  const std::string& named = request.pair.shape != "-" ? request.pair.shape : request.pair.skeleton;
   return fs::path(named).filename().string();
 }
 
 void run_view(const ViewRequest& request) {
-  start_clock(request.limits, request.shape);
+  start_clock(request.pair);
   check_request(request);
-  const bool shape_is_named = request.skeleton != "-";
-  const auto read = [&](const std::string& path, bool is_named) {
-    return read_input(path, is_named ? request.from : "", request.limits.read);
-  };
   ViewContent content;
   content.title = title_of(request);
-  content.shape = surface_of(read(request.shape, shape_is_named), request.volume);
-  content.lines.push_back({"skeleton", skeleton_of(read(request.skeleton, !shape_is_named))});
+  content.shape = surface_of(read_shape_of(request.pair), request.pair.volume);
+  content.lines.push_back({"skeleton", skeleton_of(read_skeleton_of(request.pair))});
   if (!request.trace.empty())
-    for (ViewLines& stage : stages_in(request.trace, request.limits.read))
+    for (ViewLines& stage : stages_in(request.trace, request.pair.limits.read))
       content.lines.push_back(std::move(stage));
   write_outputs({{request.out, view_page(content)}});
 }
@@ -94,27 +86,15 @@ void run_view(const ViewRequest& request) {
 void add_view_command(CLI::App& program) {
   const auto request = std::make_shared<ViewRequest>();
   CLI::App* verb = program.add_subcommand("view", "A page to look at a shape and its skeleton");
-  verb->add_option(
-          "SHAPE", request->shape,
-          "Shape (.obj .ply .stl .off), point cloud (.xyz .pcd) or volume (.nrrd .nhdr .nii\n"
-          ".binvox .raw, .nii.gz .raw.gz), or -")
-      ->required()
-      ->type_name("");
-  verb->add_option("SKELETON", request->skeleton, "Skeleton: all that marrow convert reads, or -")
-      ->required()
-      ->type_name("");
   verb->add_option("-o,--output", request->out, "The page: .html, or -")
       ->required()
       ->type_name("FILE");
-  add_format_option(*verb, "--from", request->from, "Format of the input that is -, else of SHAPE",
-                    input_and_skeleton_formats());
   verb->add_option("--title", request->title, "Title of the page; by default the name of SHAPE")
       ->type_name("WORDS");
   verb->add_option("--trace", request->trace,
                    "Folder that marrow extract --trace has written: its graphs become layers")
       ->type_name("DIR");
-  add_volume_options(*verb, request->volume);
-  add_limit_options(*verb, request->limits);
+  add_pair_options(*verb, request->pair);
   verb->footer(
       "One file that loads nothing and works offline, in any browser with WebGL 2. Shapes of\n"
       "more than about 100,000 triangles are shown coarser.\n"

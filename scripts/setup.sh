@@ -35,7 +35,8 @@ case "${1-}" in
   --dev)
     packages+=("${optional[@]}" clang-format clang-tidy shellcheck python3-pyflakes valgrind)
     packages+=(libbenchmark-dev doxygen)
-    packages+=(graphviz python3-networkx assimp-utils)   # readers of what marrow convert writes
+    # Readers of what marrow convert writes.
+    packages+=(graphviz python3-networkx assimp-utils python3-vtk9)
     # Opens what marrow view writes; in Ubuntu it comes as a snap.
     grep -q '^ID=ubuntu' /etc/os-release || packages+=(chromium)
     ;;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "skeleton_text_detail.hpp"
+#include "neighbour_rows_detail.hpp"
 
 namespace marrow::skeleton_detail {
 
@@ -13,18 +13,6 @@ constexpr std::size_t kMissing = std::numeric_limits<std::size_t>::max();
 /// Where the columns are that are read; others are passed over.
 struct Columns {
   std::size_t id, x, y, z, radius, section, neighbours, count;
-};
-
-struct Link {
-  NodeId from;
-  std::int64_t to;
-  std::size_t line;
-};
-
-struct Rows {
-  CurveSkeleton skeleton;
-  NodeIds ids;
-  std::vector<Link> links;
 };
 
 std::size_t find_column(const Lines& lines, std::string_view name) {
@@ -52,38 +40,28 @@ Columns read_header(Lines& lines) {
           lines.words().size()};
 }
 
-void read_neighbours(const Lines& lines, std::string_view field, NodeId from, Rows& rows) {
+void read_neighbours(const Lines& lines, std::string_view field, NeighbourRows& rows) {
   std::vector<std::string_view> words;
   split(field, words);
   for (const auto word : words) {
     std::int64_t to = 0;
     if (!read_number(word, to)) lines.fail(quoted(word) + " is not an id");
-    rows.links.push_back({from, to, lines.line()});
+    rows.add_neighbour(to, lines.line());
   }
 }
 
-void read_row(const Lines& lines, const Columns& columns, Rows& rows) {
+void read_row(const Lines& lines, const Columns& columns, NeighbourRows& rows) {
   if (lines.words().size() != columns.count)
     lines.fail("a row has " + std::to_string(lines.words().size()) +
                " fields, the first line has " + std::to_string(columns.count));
-  const auto node = static_cast<NodeId>(rows.skeleton.nodes.size());
-  rows.ids.add(lines.integer(columns.id), lines.line());
+  const std::int64_t id = lines.integer(columns.id);
   CurveSkeleton::Node row{
       {lines.number(columns.x), lines.number(columns.y), lines.number(columns.z)},
       lines.radius(columns.radius)};
   if (columns.section != kMissing)
     row.section_radius = lines.section_radius(columns.section, row.radius);
-  rows.skeleton.nodes.push_back(row);
-  read_neighbours(lines, lines.words()[columns.neighbours], node, rows);
-}
-
-void connect(Rows& rows, const Source& source) {
-  rows.ids.sort(source);
-  for (const Link& link : rows.links) {
-    const NodeId to = rows.ids.find(link.to, "neighbour", link.line, source);
-    if (to == link.from) fail(source.name, link.line, "an edge from a node to itself");
-    rows.skeleton.edges.push_back({link.from, to});
-  }
+  rows.add(id, row, lines.line());
+  read_neighbours(lines, lines.words()[columns.neighbours], rows);
 }
 
 }  // namespace
@@ -118,11 +96,9 @@ std::string format_csv(const CurveSkeleton& skeleton) {
 CurveSkeleton parse_csv(std::string_view bytes, const Source& source) {
   Lines lines(bytes, source, ',');
   const Columns columns = read_header(lines);
-  Rows rows;
+  NeighbourRows rows;
   while (lines.next()) read_row(lines, columns, rows);
-  connect(rows, source);
-  tidy_edges(rows.skeleton);
-  return std::move(rows.skeleton);
+  return std::move(rows).finish(source);
 }
 
 }  // namespace marrow::skeleton_detail

@@ -1,7 +1,7 @@
 // The file of the paper's authors, which cinolib calls LIVESU2012.
 #include <utility>
 
-#include "skeleton_text_detail.hpp"
+#include "neighbour_rows_detail.hpp"
 
 namespace marrow::skeleton_detail {
 
@@ -9,19 +9,6 @@ namespace {
 
 constexpr std::string_view kHeader = "ID Cx Cy Cz RADIUS #NEIGHBORS NEIGHBORS_LIST";
 constexpr std::size_t kLeastRow = sizeof "0 0 0 0 1 0" - 1;
-
-/// An edge as it is listed: the row that lists it and the id that it names.
-struct Link {
-  NodeId from;
-  std::int64_t to;
-  std::size_t line;
-};
-
-struct Rows {
-  CurveSkeleton skeleton;
-  NodeIds ids;  ///< may have gaps
-  std::vector<Link> links;
-};
 
 void read_header(Lines& lines) {
   lines.expect("the header '" + std::string(kHeader) + "'");
@@ -33,26 +20,17 @@ void read_header(Lines& lines) {
   if (first != kHeader) lines.fail("the first line is not '" + std::string(kHeader) + "'");
 }
 
-void read_row(const Lines& lines, Rows& rows) {
-  const auto node = static_cast<NodeId>(rows.skeleton.nodes.size());
-  rows.ids.add(lines.integer(0), lines.line());
-  rows.skeleton.nodes.push_back(
-      {{lines.number(1), lines.number(2), lines.number(3)}, lines.radius(4)});
+void read_row(const Lines& lines, NeighbourRows& rows) {
+  const std::int64_t id = lines.integer(0);
+  const CurveSkeleton::Node node{{lines.number(1), lines.number(2), lines.number(3)},
+                                 lines.radius(4)};
+  rows.add(id, node, lines.line());
   const std::uint64_t neighbours = lines.count(5);
   if (neighbours != lines.words().size() - 6)
     lines.fail("the line claims " + std::to_string(neighbours) + " neighbours and lists " +
                std::to_string(lines.words().size() - 6));
   for (std::size_t i = 6; i < lines.words().size(); ++i)
-    rows.links.push_back({node, lines.integer(i), lines.line()});
-}
-
-void connect(Rows& rows, const Source& source) {
-  rows.ids.sort(source);
-  for (const Link& link : rows.links) {
-    const NodeId to = rows.ids.find(link.to, "neighbour", link.line, source);
-    if (to == link.from) fail(source.name, link.line, "an edge from a node to itself");
-    rows.skeleton.edges.push_back({link.from, to});
-  }
+    rows.add_neighbour(lines.integer(i), lines.line());
 }
 
 }  // namespace
@@ -87,16 +65,14 @@ CurveSkeleton parse_skel(std::string_view bytes, const Source& source) {
   const std::uint64_t count = lines.count(0);
   if (count > lines.bytes_left() / kLeastRow + 1)
     lines.fail("the file claims " + std::to_string(count) + " nodes and is too short for them");
-  Rows rows;
-  rows.skeleton.nodes.reserve(count);
+  NeighbourRows rows;
+  rows.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     lines.expect("node " + std::to_string(i + 1) + " of " + std::to_string(count));
     read_row(lines, rows);
   }
   if (lines.next()) lines.fail("the file goes on after its " + std::to_string(count) + " nodes");
-  connect(rows, source);
-  tidy_edges(rows.skeleton);
-  return std::move(rows.skeleton);
+  return std::move(rows).finish(source);
 }
 
 }  // namespace marrow::skeleton_detail

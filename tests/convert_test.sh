@@ -190,6 +190,11 @@ assert data.GetNumberOfPoints() == 9 and data.GetNumberOfVerts() == 1, data
 radii = data.GetPointData().GetScalars()
 assert radii.GetName() == "MaximumInscribedSphereRadius" and radii.GetValue(0) == 0.5
 assert data.GetCellData().GetArray("BranchId").GetValue(0) == -1
+lines = vtk.vtkOBJReader()
+lines.SetFileName("graph.obj")
+lines.Update()
+lines = lines.GetOutput()
+assert lines.GetNumberOfPoints() == 9 and lines.GetNumberOfLines() == 8, lines
 writer = vtk.vtkXMLPolyDataWriter()
 writer.SetDataModeToAscii()
 writer.SetInputData(data)

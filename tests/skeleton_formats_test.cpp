@@ -13,8 +13,10 @@
 #include "catch.hpp"
 #include "random_skeleton.hpp"
 #include "skeleton_faults.hpp"
+#include "skeleton_text.hpp"
 
 using namespace marrow;
+using test::error_of;
 using test::random_skeleton;
 
 namespace {
@@ -29,18 +31,6 @@ const auto formats_with_sections = {SkeletonFormat::Ply, SkeletonFormat::Json, S
 
 CurveSkeleton read(const std::string& text, SkeletonFormat format, double radius = 0) {
   return parse_skeleton(text, format, "f", radius);
-}
-
-/// The words of the error of reading `text`, or "" where it is read.
-std::string error_of(const std::string& text, SkeletonFormat format, double radius = 0) {
-  try {
-    read(text, format, radius);
-  } catch (const Error& e) {
-    CHECK(e.kind() == ErrorKind::Malformed);
-    CHECK(std::string(e.what()).find('\n') == std::string::npos);
-    return e.what();
-  }
-  return "";
 }
 
 CurveSkeleton without_sections(CurveSkeleton skeleton) {
@@ -202,7 +192,9 @@ TEST_CASE("a file without radii is refused where none is given for it", "[skelet
 }
 
 TEST_CASE("a malformed CG is refused with its line", "[skeleton_io]") {
-  const auto error = [](const std::string& text) { return error_of(text, SkeletonFormat::Cg, 1); };
+  const auto error = [](const std::string& text) {
+    return error_of(text, SkeletonFormat::Cg, ErrorKind::Malformed, 1);
+  };
   const std::string two = "# D:3 NV:2 NE:1\nv 0 0 0\nv 1 0 0\n";
   CHECK(error(two + "e 1 2\n") == "");
   CHECK(error("") == "f:0: the file ends before the line '# D:3 NV:nodes NE:edges'");
@@ -257,7 +249,7 @@ TEST_CASE("a malformed SWC is refused with its line", "[skeleton_io]") {
 
 TEST_CASE("malformed polylines are refused with their line", "[skeleton_io]") {
   const auto error = [](const std::string& text) {
-    return error_of(text, SkeletonFormat::Polylines, 1);
+    return error_of(text, SkeletonFormat::Polylines, ErrorKind::Malformed, 1);
   };
   CHECK(error("2 0 0 0 1 1 1\n") == "");
   CHECK(error("2 0 0 0 1 1\n") == "f:1: the line claims 2 points and has 5 numbers");

@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "skeleton_text.hpp"
 
 using namespace marrow;
+using test::error_of;
 
 namespace {
 
@@ -21,22 +23,6 @@ CurveSkeleton sample() {
              {{2.0 / 3, 1e22, 123456789.125}, 1e17}, {{-7, -8, -9}, 2}, {{-6, -8, -9}, 2}};
   s.edges = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {4, 5}};
   return s;
-}
-
-/// The error of reading `text`, or "" where it is read.
-std::string error_of(const std::string& text, SkeletonFormat format, ErrorKind kind) {
-  try {
-    parse_skeleton(text, format, "f");
-  } catch (const Error& e) {
-    CHECK(e.kind() == kind);
-    CHECK(std::string(e.what()).find('\n') == std::string::npos);
-    return e.what();
-  }
-  return "";
-}
-
-std::string malformed(const std::string& text, SkeletonFormat format) {
-  return error_of(text, format, ErrorKind::Malformed);
 }
 
 const std::string skel_header = "ID Cx Cy Cz RADIUS #NEIGHBORS NEIGHBORS_LIST\n";
@@ -120,7 +106,7 @@ TEST_CASE("the files of others are read", "[skeleton_io]") {
 }
 
 TEST_CASE("a malformed OBJ is refused with its line", "[skeleton_io]") {
-  const auto error = [](const std::string& text) { return malformed(text, SkeletonFormat::Obj); };
+  const auto error = [](const std::string& text) { return error_of(text, SkeletonFormat::Obj); };
   CHECK(error("v 0 0\n") == "f:1: a node is 'v x y z radius'; this line has 2 numbers");
   CHECK(error("v 0 0 0\n") ==
         "f:1: a node without a radius; give one for all that have none (marrow convert --radius "
@@ -147,7 +133,7 @@ TEST_CASE("a malformed OBJ is refused with its line", "[skeleton_io]") {
 }
 
 TEST_CASE("a malformed SKEL is refused with its line", "[skeleton_io]") {
-  const auto error = [](const std::string& text) { return malformed(text, SkeletonFormat::Skel); };
+  const auto error = [](const std::string& text) { return error_of(text, SkeletonFormat::Skel); };
   CHECK(error("") != "");
   CHECK(error("ID x y z\n0\n") != "");
   CHECK(error(skel_header) != "");
@@ -164,7 +150,7 @@ TEST_CASE("a malformed SKEL is refused with its line", "[skeleton_io]") {
 }
 
 TEST_CASE("a malformed PLY is refused with its line", "[skeleton_io]") {
-  const auto error = [](const std::string& text) { return malformed(text, SkeletonFormat::Ply); };
+  const auto error = [](const std::string& text) { return error_of(text, SkeletonFormat::Ply); };
   const std::string nodes = "0 0 0 1\n1 0 0 1\n";
   CHECK(error(ply_header + nodes + "0 1\n") == "");
   CHECK(error(ply_header + nodes + "0 2\n") == "f:14: vertex index 2 is not below 2");
@@ -189,7 +175,7 @@ TEST_CASE("a malformed PLY is refused with its line", "[skeleton_io]") {
 }
 
 TEST_CASE("a malformed JSON is refused with its place", "[skeleton_io]") {
-  const auto error = [](const std::string& text) { return malformed(text, SkeletonFormat::Json); };
+  const auto error = [](const std::string& text) { return error_of(text, SkeletonFormat::Json); };
   CHECK(error("") != "");
   CHECK(error("[]") != "");
   CHECK(error("{\n\"a\": \n}").find("line 3") != std::string::npos);

@@ -3,24 +3,14 @@
 #include <marrow/skeleton_io.hpp>
 
 #include "catch.hpp"
+#include "skeleton_text.hpp"
 
 using namespace marrow;
+using test::error_of;
 
 namespace {
 
 const CurveSkeleton path{{{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{2, 0, 0}, 1}}, {{0, 1}, {1, 2}}};
-
-std::string error_of(const std::string& text, SkeletonFormat format,
-                     ErrorKind kind = ErrorKind::Malformed) {
-  try {
-    parse_skeleton(text, format, "f");
-  } catch (const Error& e) {
-    CHECK(e.kind() == kind);
-    CHECK(std::string(e.what()).find('\n') == std::string::npos);
-    return e.what();
-  }
-  return "";
-}
 
 /// `text` with the first `from` in it as `to`.
 std::string with(std::string text, const std::string& from, const std::string& to) {

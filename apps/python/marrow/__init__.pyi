@@ -1,8 +1,11 @@
 import os
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import (
+    Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple, TypedDict, Union,
+)
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack  # type checkers have it; nothing imports a stub
 
 __version__: str
 
@@ -60,49 +63,28 @@ class Skeleton:
     def __len__(self) -> int: ...
     def __eq__(self, other: object) -> bool: ...
 
+class _Options(TypedDict, total=False):
+    image: int
+    grid: int
+    closing: float
+    smoothing: int
+    silhouettes: Literal["scanline", "embree"]
+    refine: Literal["surface", "hull", "none"]
+    rules: Literal["marrow", "paper"]
+    views: Union[int, ArrayLike]
+    threads: int
+    progress: Optional[Progress]
+
 def extract(
-    vertices: ArrayLike,
-    faces: Optional[ArrayLike] = ...,
-    *,
-    image: int = ...,
-    grid: int = ...,
-    closing: float = ...,
-    smoothing: int = ...,
-    rules: str = ...,
-    views: Union[int, ArrayLike] = ...,
-    silhouettes: str = ...,
-    refine: str = ...,
-    threads: int = ...,
-    progress: Optional[Progress] = ...,
+    vertices: ArrayLike, faces: Optional[ArrayLike] = ..., **options: Unpack[_Options]
 ) -> Skeleton: ...
 def extract_volume(
     values: NDArray[Any],
     iso: float = ...,
     spacing: Sequence[float] = ...,
     origin: Sequence[float] = ...,
-    *,
-    image: int = ...,
-    grid: int = ...,
-    smoothing: int = ...,
-    rules: str = ...,
-    views: Union[int, ArrayLike] = ...,
-    threads: int = ...,
-    progress: Optional[Progress] = ...,
+    **options: Unpack[_Options],
 ) -> Skeleton: ...
-def extract_file(
-    path: Path,
-    iso: float = ...,
-    *,
-    image: int = ...,
-    grid: int = ...,
-    closing: float = ...,
-    smoothing: int = ...,
-    rules: str = ...,
-    views: Union[int, ArrayLike] = ...,
-    silhouettes: str = ...,
-    refine: str = ...,
-    threads: int = ...,
-    progress: Optional[Progress] = ...,
-) -> Skeleton: ...
+def extract_file(path: Path, iso: float = ..., **options: Unpack[_Options]) -> Skeleton: ...
 def load(path: Path) -> Skeleton: ...
 def read_shape(path: Path) -> Tuple[NDArray[np.float64], NDArray[np.uint32]]: ...

@@ -50,7 +50,9 @@ int first_look_of(const Workload& w) {
 void run_first_look(const Workload& w) {
   const int first = first_look_of(w);
   if (first == 0) return;
-  for (const Vec3& direction : hemisphere_directions()) draw(w, direction, first);
+  std::vector<StereoPair> pairs;
+  for (const StereoImages& view : w.trace.views) pairs.push_back(view.pair);
+  keep(draw_stereo_images(w.normalized, pairs, first));
 }
 
 void run_frames(const Workload& w) {
@@ -58,9 +60,9 @@ void run_frames(const Workload& w) {
 }
 
 void run_silhouettes(const Workload& w) {
-  for_each_image(w, [&](const ViewImage& image) {
-    keep(draw_silhouette(w.normalized, image.plane, image_of(w)));
-  });
+  std::vector<ViewPlane> planes;
+  for_each_image(w, [&](const ViewImage& image) { planes.push_back(image.plane); });
+  keep(draw_silhouettes(w.normalized, planes, image_of(w)));
 }
 
 void run_distances(const Workload& w) {

@@ -28,4 +28,22 @@ inline void clear_span(BitImage::Word* row, int left, int right) {
   change_span(row, left, right, [](BitImage::Word& word, BitImage::Word bits) { word &= ~bits; });
 }
 
+/// Whether a pixel of the box, which lies in the image, is set.
+inline bool is_any_set(const BitImage& image, const PixelBox& box) {
+  const int first = box.left >> 6, last = (box.right - 1) >> 6;
+  const BitImage::Word from = ~BitImage::Word{0} << (box.left & 63);
+  const BitImage::Word to = ~BitImage::Word{0} >> (63 - ((box.right - 1) & 63));
+  for (int y = box.top; y < box.bottom; ++y) {
+    const BitImage::Word* const row = image.row(y);
+    if (first == last) {
+      if ((row[first] & from & to) != 0) return true;
+      continue;
+    }
+    BitImage::Word any = (row[first] & from) | (row[last] & to);
+    for (int i = first + 1; i < last; ++i) any |= row[i];
+    if (any != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace marrow

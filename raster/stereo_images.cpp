@@ -65,14 +65,19 @@ PixelBox box_around(const BitImage& silhouette) {
           std::max(box.top - 1, 0), std::min(box.bottom + 1, silhouette.height())};
 }
 
-ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
-                    const SurfaceScene* scene) {
-  ViewImage image{plane, draw_silhouette(shape, plane, resolution, scene), {}, {}, {}};
+/// What follows from a silhouette.
+ViewImage view_of(const ViewPlane& plane, BitImage silhouette) {
+  ViewImage image{plane, std::move(silhouette), {}, {}, {}};
   image.distance = distance_transform(image.silhouette);
   image.axis = medial_axis(image.distance);
-  const BitImage off_axis = complement(to_image(image.axis, resolution));
+  const BitImage off_axis = complement(to_image(image.axis, image.silhouette.width()));
   image.to_axis = distance_transform(off_axis, box_around(image.silhouette));
   return image;
+}
+
+ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
+                    const SurfaceScene* scene) {
+  return view_of(plane, draw_silhouette(shape, plane, resolution, scene));
 }
 
 }  // namespace
@@ -94,6 +99,21 @@ StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& 
                                 int resolution, const SurfaceScene* scene) {
   return {pair, draw_view(shape, pair.front(), resolution, scene),
           draw_view(shape, pair.side(), resolution, scene)};
+}
+
+std::vector<StereoImages> draw_stereo_images(const NormalizedShape& shape,
+                                             std::span<const StereoPair> pairs, int resolution,
+                                             const SurfaceScene* scene, const ForEach& for_each) {
+  std::vector<ViewPlane> planes;
+  for (const StereoPair& pair : pairs)
+    planes.push_back(pair.front()), planes.push_back(pair.side());
+  std::vector<BitImage> masks = draw_silhouettes(shape, planes, resolution, scene, for_each);
+  std::vector<StereoImages> images(pairs.size());
+  for_each(pairs.size(), [&](std::size_t i) {
+    images[i] = {pairs[i], view_of(planes[2 * i], std::move(masks[2 * i])),
+                 view_of(planes[2 * i + 1], std::move(masks[2 * i + 1]))};
+  });
+  return images;
 }
 
 }  // namespace marrow

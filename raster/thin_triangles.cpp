@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <utility>
 
+#include "mask_detail.hpp"
 #include "thin_triangles_detail.hpp"
 
 namespace marrow {
@@ -9,6 +11,9 @@ namespace {
 constexpr int kPieceSteps = 16;       // of an edge are drawn together
 constexpr int kFewRows = 10;          // are looked at one by one
 constexpr std::size_t kEdges = 1024;  // remembered, a power of two
+
+/// Twice the area under which triangles are thin.
+std::int64_t thin_area(int shift) { return std::int64_t{8} << (2 * shift); }
 
 /// Whether the bits `first` to `last` of a row are set.
 bool are_set(const BitImage::Word* row, int first, int last) {
@@ -182,6 +187,93 @@ PackedTriangles uncovered(const SnappedPoints& points, std::span<const Triangle>
 
 }  // namespace
 
+namespace {
+
+/// Whether the image holds the box; most boxes are small.
+bool holds(const BitImage& image, const Extent& box) {
+  const int word = box.left >> 6;
+  if (word != box.right >> 6) return is_set(image, box);
+  const BitImage::Word bits = ~BitImage::Word{0} >> (63 - (box.right - box.left))
+                                                        << (box.left & 63);
+  for (int y = box.low; y <= box.high; ++y)
+    if ((~image.row(y)[word] & bits) != 0) return false;
+  return true;
+}
+
+/// The pixels of the box of a and b, made wider by `more` lattice steps.
+Extent extent_of(const LatticePoint& a, const LatticePoint& b, int more, int shift) {
+  return {nearest_pixel(std::min(a.x, b.x) - more, shift),
+          nearest_pixel(std::max(a.x, b.x) + more, shift),
+          nearest_pixel(std::min(a.y, b.y) - more, shift),
+          nearest_pixel(std::max(a.y, b.y) + more, shift)};
+}
+
+/// Adds the pixels of one contour, in pieces no longer than a pixel.
+void add_far(BitImage& far, const BitImage& near_mask, const ContourEdge& edge, int shift) {
+  constexpr int kRounding = 2;  // lattice steps, of the places along an edge
+  const auto& [a, b] = edge;
+  const int steps = (std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) >> shift) + 1;
+  if (steps <= 2 && holds(near_mask, extent_of(a, b, kRounding, shift))) return;
+  Walk x(a.x, b.x, steps), y(a.y, b.y, steps);
+  x.go_to(0), y.go_to(0);
+  LatticePoint from = a;
+  for (int i = 0; i < steps; ++i) {
+    x.step(), y.step();
+    const LatticePoint to{x.place(), y.place()};
+    const Extent piece = extent_of(from, to, kRounding, shift);
+    from = to;
+    if (holds(near_mask, piece)) continue;
+    for (int row = piece.low; row <= piece.high; ++row)
+      set_span(far.row(row), piece.left, piece.right);
+  }
+}
+
+}  // namespace
+
+BitImage far_contours(std::span<const ContourEdge> contours, const BitImage& mask) {
+  const int shift = lattice_shift(mask.width());
+  const BitImage near_mask = dilate_box(mask, 1, 1);
+  BitImage far(mask.width(), mask.height());
+  for (const ContourEdge& edge : contours) add_far(far, near_mask, edge, shift);
+  return without(std::move(far), near_mask);
+}
+
+PackedTriangles near_to(const BitImage& image, const PackedTriangles& triangles) {
+  const int shift = lattice_shift(image.width());
+  PackedTriangles chosen;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto [a, b, c] = corners_of(triangles, i);
+    const LatticePoint low{std::min(std::min(a.x, b.x), c.x), std::min(std::min(a.y, b.y), c.y)};
+    const LatticePoint high{std::max(std::max(a.x, b.x), c.x), std::max(std::max(a.y, b.y), c.y)};
+    const Extent box = extent_of(low, high, 0, shift);
+    if (!is_any_set(image, {box.left, box.right + 1, box.low, box.high + 1})) continue;
+    chosen.a.push_back(triangles.a[i]);
+    chosen.b.push_back(triangles.b[i]);
+    chosen.c.push_back(triangles.c[i]);
+  }
+  return chosen;
+}
+
+void trace_thin(BitImage& mask, const PackedTriangles& near, const PackedTriangles& flat) {
+  if (near.size() == 0 && flat.size() == 0) return;
+  const int shift = lattice_shift(mask.width());
+  const BitImage near_mask = dilate_box(mask, 1, 1);
+  const Squares squares(near_mask);
+  EdgeTrace edges(near_mask, squares, shift);
+  const auto is_uncovered = [&](const LatticePoint& p) {
+    return !near_mask(nearest_pixel(p.x, shift), nearest_pixel(p.y, shift));
+  };
+  for (const PackedTriangles* some : {&near, &flat})
+    for (std::size_t i = 0; i < some->size(); ++i) {
+      const auto corners = corners_of(*some, i);
+      if (std::abs(twice_area(corners)) >= thin_area(shift)) continue;
+      if (LatticeTriangle(corners, shift).is_large() ||
+          std::any_of(corners.begin(), corners.end(), is_uncovered))
+        edges.draw(corners);
+    }
+  mask = united(std::move(mask), edges.trace);
+}
+
 BitImage squares_within(BitImage image, int side) {
   for (int half = 1; half < side; half *= 2) image = doubled_squares(std::move(image), half);
   return image;
@@ -190,7 +282,7 @@ BitImage squares_within(BitImage image, int side) {
 void trace_thin(BitImage& mask, const SnappedPoints& points, std::span<const Triangle> triangles,
                 const PackedTriangles& large, int resolution) {
   const int shift = lattice_shift(resolution);
-  const std::int64_t thin = std::int64_t{8} << (2 * shift);
+  const std::int64_t thin = thin_area(shift);
   const BitImage near_mask = dilate(mask, 1.5);
   const Squares squares(near_mask);
   EdgeTrace edges(near_mask, squares, shift);

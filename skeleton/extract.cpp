@@ -132,25 +132,6 @@ std::vector<Vec3> view_directions(const Normalization& frame, const ExtractOptio
   return {directions.begin(), directions.end()};
 }
 
-/// The stereo pairs, by rays where there is a scene. Each view is one task.
-std::vector<StereoImages> draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
-                                     const std::vector<Vec3>& directions, int resolution,
-                                     int threads) {
-  std::vector<StereoImages> views(directions.size());
-  for_each_view(views.size(), threads, [&](std::size_t i) {
-    views[i] = draw_stereo_images(shape, stereo_pair(shape, directions[i]), resolution, scene);
-  });
-  return views;
-}
-
-/// The same pairs in other images.
-void draw_again(std::vector<StereoImages>& views, const NormalizedShape& shape,
-                const SurfaceScene* scene, int resolution, int threads) {
-  for_each_view(views.size(), threads, [&](std::size_t i) {
-    views[i] = draw_stereo_images(shape, views[i].pair, resolution, scene);
-  });
-}
-
 struct DrawnViews {
   Resolution resolution;
   std::vector<StereoImages> views;
@@ -161,10 +142,16 @@ DrawnViews draw_views(const NormalizedShape& shape, const SurfaceScene* scene,
                       const std::vector<Vec3>& directions, const ExtractOptions& options) {
   const bool fixed = options.image_resolution > 0;
   const Resolution first{fixed ? options.image_resolution : kFirstImage, options.grid_resolution};
-  auto views = draw_views(shape, scene, directions, first.image, options.max_threads);
+  const ForEach for_each = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
+    for_each_view(count, options.max_threads, task);
+  };
+  std::vector<StereoPair> pairs(directions.size());
+  for_each(pairs.size(), [&](std::size_t i) { pairs[i] = stereo_pair(shape, directions[i]); });
+  auto views = draw_stereo_images(shape, pairs, first.image, scene, for_each);
   const Resolution finer =
       resolution_for(shape.low, shape.high, views, first, fixed ? 0 : kFinestImage);
-  if (finer.image > first.image) draw_again(views, shape, scene, finer.image, options.max_threads);
+  if (finer.image > first.image)
+    views = draw_stereo_images(shape, pairs, finer.image, scene, for_each);
   return {finer, std::move(views)};
 }
 

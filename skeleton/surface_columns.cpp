@@ -10,9 +10,9 @@ namespace marrow {
 
 namespace {
 
-constexpr float kMost = 1.01F;  // of a coordinate
-constexpr int kMargin = 2;      // cells around, when columns are filled again
-constexpr int kMarginGrowth = 4;
+constexpr float kMost = 1.01F;               // of a coordinate
+constexpr int kMargin = 2;                   // cells around, when columns are filled again
+constexpr int kFewFillings = 8;              // then the margin grows, so that not many more follow
 constexpr int kCoarsest = 18, kCoarser = 2;  // shifts
 constexpr int kWidest = 4;                   // cells along a side of what a level takes
 
@@ -148,7 +148,7 @@ SurfaceColumns::SurfaceColumns(const NormalizedShape& shape) : shape_(shape) {}
 void SurfaceColumns::start() {
   corners_ = snapped_corners(shape_);
   for (int shift = finest_shift(shape_.triangles.size());; shift += kCoarser) {
-    levels_.push_back({ColumnCells::of_size(shift), {}, {}, {}, {}});
+    levels_.push_back({ColumnCells::of_size(shift), {}, {}, {}, {}, {}});
     if (shift >= kCoarsest) break;
   }
   asked_.fill(Mask(finest().all(), 0));
@@ -169,15 +169,16 @@ void SurfaceColumns::cover(std::span<const LatticePoint> points) {
   }
   if (!is_missing) return;
   fill();
-  margin_ = std::max(kMarginGrowth * margin_, kMargin);  // so that few fillings reach everything
+  margin_ = fillings_++ < kFewFillings ? kMargin : 2 * margin_;
 }
 
 void SurfaceColumns::fill() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    levels_.front().filled[axis] = widened(asked_[axis], finest(), margin_);
-    for (std::size_t l = 1; l < levels_.size(); ++l)
-      levels_[l].filled[axis] =
-          coarser(levels_[l - 1].filled[axis], levels_[l - 1].cells, levels_[l].cells);
+    Mask wanted = widened(asked_[axis], finest(), margin_);
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+      if (l > 0) wanted = coarser(wanted, levels_[l - 1].cells, levels_[l].cells);
+      levels_[l].fill(axis, wanted);
+    }
   }
   gather_triangles();
   for (auto& level : levels_)
@@ -185,8 +186,7 @@ void SurfaceColumns::fill() {
 }
 
 void SurfaceColumns::gather_triangles() {
-  triangles_.clear();
-  const NearColumns near(corners_, finest(), levels_.front().filled);
+  const NearColumns near(corners_, finest(), levels_.front().fresh);
   for (const auto& t : shape_.triangles)
     if (const unsigned axes = near.axes(t); axes != 0)
       add({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, axes);
@@ -203,12 +203,22 @@ void SurfaceColumns::add(const LatticeTriangle& triangle, unsigned axes) {
     for (int y = range.y0; y <= range.y1; ++y)
       for (int x = range.x0; x <= range.x1; ++x) {
         const std::size_t cell = level->cells.index(x, y);
-        if (level->filled[axis][cell] == 0) continue;
+        if (level->fresh[axis][cell] == 0) continue;
         level->entries[axis].push_back({static_cast<std::uint32_t>(cell), number});
         is_anywhere = true;
       }
   }
   if (is_anywhere) triangles_.push_back(triangle);
+}
+
+void SurfaceColumns::Level::fill(std::size_t axis, const Mask& wanted) {
+  Mask& all = filled[axis];
+  all.resize(wanted.size(), 0);
+  fresh[axis].resize(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    fresh[axis][i] = wanted[i] & (all[i] ^ 1);
+    all[i] |= wanted[i];
+  }
 }
 
 void SurfaceColumns::Level::sort(std::size_t axis) {
@@ -220,7 +230,6 @@ void SurfaceColumns::Level::sort(std::size_t axis) {
   for (const auto& e : entries[axis]) ++start[axis][e.cell];
   std::partial_sum(start[axis].begin(), start[axis].end(), start[axis].begin());
   for (const auto& e : entries[axis]) list[--start[axis][e.cell]] = e.triangle;
-  entries[axis].clear();
 }
 
 }  // namespace marrow

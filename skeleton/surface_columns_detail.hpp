@@ -65,10 +65,13 @@ class SurfaceColumns {
   /// Triangles of about the size of its cells, and smaller ones in the finest.
   struct Level {
     ColumnCells cells;
-    std::array<Mask, 3> filled;
-    std::array<std::vector<Entry>, 3> entries;                  // before they are sorted
+    std::array<Mask, 3> filled, fresh;                          // of these, what was not before
+    std::array<std::vector<Entry>, 3> entries;                  // in the order they came
     std::array<std::vector<std::uint32_t>, 3> start, triangle;  // lists of all cells, end to end
 
+    /// Adds cells to the filled ones.
+    void fill(std::size_t axis, const Mask& wanted);
+    /// Brings the entries into lists.
     void sort(std::size_t axis);
   };
 
@@ -80,7 +83,8 @@ class SurfaceColumns {
 
   const NormalizedShape& shape_;
   std::vector<LatticePoint> corners_;
-  int margin_ = 0;  // cells filled around those asked for
+  int margin_ = 0;    // cells filled around those asked for
+  int fillings_ = 0;  // so far
   std::array<Mask, 3> asked_;
   std::vector<Level> levels_;  // the finest first, each four times as coarse as the one before
   std::vector<LatticeTriangle> triangles_;

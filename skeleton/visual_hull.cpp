@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "projection_detail.hpp"
+#include "vote_support_detail.hpp"
 
 namespace marrow {
 
@@ -22,8 +23,8 @@ int thirds_within(double tolerance) {
 }
 
 /// Images as 42nds of all; a whole threshold asks as much of the one as of the other.
-std::uint8_t support_of(std::size_t images, std::size_t all) {
-  return static_cast<std::uint8_t>(images * kImages / all);
+std::uint8_t support_of(std::int32_t images, std::size_t all) {
+  return static_cast<std::uint8_t>(static_cast<std::size_t>(images) * kImages / all);
 }
 
 }  // namespace
@@ -41,29 +42,24 @@ Projections::Projections(std::span<const StereoImages> views) {
 
 VoteGrid clean_grid(const VoteGrid& votes, std::span<const StereoImages> views) {
   const Projections project(views);
-  std::vector<BitImage> masks;
+  std::vector<SupportImage> images;
   for (std::size_t i = 0; i < project.image_count(); ++i)
-    masks.push_back(dilate(project.image(i).silhouette, kMaskTolerance));
-  const double pixel = PixelGrid{masks[0].width()}.pixel();
+    images.emplace_back(project.image(i), dilate(project.image(i).silhouette, kMaskTolerance));
+  const double pixel = PixelGrid{project.image(0).silhouette.width()}.pixel();
   const double tolerance = std::max(kAxisTolerance * votes.grid.size / pixel, 1.0);
-  const int narrow = thirds_within(tolerance);
+  std::vector<Vec3> positions;
+  std::vector<std::int32_t> broad;
+  for (const Vote& vote : votes.votes) {
+    positions.push_back(vote.position);
+    broad.push_back(thirds_within(std::max(tolerance, kBroadTolerance * pixels_of(vote.radius))));
+  }
+  const auto support = vote_support(project, images, positions, thirds_within(tolerance), broad);
   VoteGrid cleaned{votes.grid, {}};
-  for (Vote vote : votes.votes) {
-    const int broad = thirds_within(std::max(tolerance, kBroadTolerance * pixels_of(vote.radius)));
-    bool inside = true;
-    std::size_t near = 0, broadly_near = 0;
-    for (std::size_t i = 0; i < masks.size() && inside; ++i) {
-      const auto [u, v] = project(i, vote.position);
-      const int x = nearest(u), y = nearest(v);
-      inside = masks[i].contains(x, y) && masks[i](x, y);
-      if (!inside) break;
-      const int away = project.image(i).to_axis(x, y);
-      near += away <= narrow;
-      broadly_near += away <= broad;
-    }
-    if (!inside) continue;
-    vote.support = support_of(near, masks.size());
-    vote.broad_support = support_of(broadly_near, masks.size());
+  for (std::size_t i = 0; i < support.size(); ++i) {
+    if (!support[i].is_inside) continue;
+    Vote vote = votes.votes[i];
+    vote.support = support_of(support[i].narrow, images.size());
+    vote.broad_support = support_of(support[i].broad, images.size());
     cleaned.votes.push_back(vote);
   }
   return cleaned;

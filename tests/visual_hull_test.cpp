@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "random.hpp"
+#include "simd_targets.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -233,6 +234,43 @@ TEST_CASE("support is the number of medial axes close by", "[visual_hull]") {
   CHECK(cleaned.votes.front().support == 42);  // in the middle of a rod
   CHECK(cleaned.votes.back().support < 30);
   CHECK(cleaned.votes[5].broad_support > cleaned.votes[5].support);
+}
+
+TEST_CASE("every instruction set gives votes the same support", "[visual_hull]") {
+  for (const char* name : {"torus", "capsule"}) {
+    const Seen s = seen(name);
+    const VoxelGrid grid = grid_of(s, 64);
+    Random random(3);
+    VoteGrid votes{grid, {}};
+    const Vec3 low = s.shape.low, high = s.shape.high;
+    for (int i = 0; i < 501; ++i)
+      votes.votes.push_back(vote_at(grid,
+                                    {random.between(low.x, high.x), random.between(low.y, high.y),
+                                     random.between(low.z, high.z)},
+                                    static_cast<ChamferDistance>(random.below(90))));
+    const Projections project(s.views);
+    VoteGrid expected{grid, {}};
+    for (Vote vote : votes.votes) {
+      const double tolerance = std::max(0.9 * grid.size / kPixel, 1.0);
+      int support = 0, broad = 0;
+      bool is_inside = true;
+      for (std::size_t i = 0; i < project.image_count(); ++i) {
+        const auto [u, v] = project(i, vote.position);
+        const int x = static_cast<int>(std::floor(u + 0.5)),
+                  y = static_cast<int>(std::floor(v + 0.5));
+        const BitImage near = dilate(project.image(i).silhouette, 1);
+        is_inside = is_inside && near.contains(x, y) && near(x, y);
+        const double away = project.image(i).to_axis(x, y) / 3.0;
+        support += away <= tolerance;
+        broad += away <= std::max(tolerance, 0.2 * pixels_of(vote.radius));
+      }
+      vote.support = static_cast<std::uint8_t>(support);
+      vote.broad_support = static_cast<std::uint8_t>(broad);
+      if (is_inside) expected.votes.push_back(vote);
+    }
+    CHECK(expected.votes.size() > 20);
+    on_each_simd_target([&] { CHECK(clean_grid(votes, s.views) == expected); });
+  }
 }
 
 TEST_CASE("the majority of 27 decides", "[visual_hull]") {

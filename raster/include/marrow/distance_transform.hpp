@@ -30,6 +30,8 @@ class BoxedDistanceMap {
         across >= 0 && down >= 0 && across < map_.width() && down < map_.height();
     return is_inside ? map_(across, down) : ChamferDistance{0xffff};
   }
+  /// Row `y` of the image, which the box must hold, from the left side of the box on.
+  const ChamferDistance* row(int y) const { return map_.row(y - box_.top); }
 
   friend bool operator==(const BoxedDistanceMap&, const BoxedDistanceMap&) = default;
 

@@ -1,10 +1,14 @@
 // Silhouettes by exact integer scanline fill, or by rays (section 4.1).
 #pragma once
 
+#include <marrow/for_each.hpp>
 #include <marrow/image.hpp>
 #include <marrow/normalization.hpp>
 #include <marrow/surface_scene.hpp>
 #include <marrow/view.hpp>
+
+#include <span>
+#include <vector>
 
 namespace marrow {
 
@@ -59,5 +63,11 @@ void fill_small_holes(BitImage& mask, double radius);
 /// side) filled; on a closed shape holes are real. With `scene`, that of the same shape, rays fill.
 BitImage draw_silhouette(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
                          const SurfaceScene* scene = nullptr);
+
+/// The same of many images at once, which is faster where a closed shape has large triangles.
+std::vector<BitImage> draw_silhouettes(const NormalizedShape& shape,
+                                       std::span<const ViewPlane> planes, int resolution,
+                                       const SurfaceScene* scene = nullptr,
+                                       const ForEach& for_each = for_each_in_turn);
 
 }  // namespace marrow

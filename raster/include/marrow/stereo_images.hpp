@@ -30,4 +30,10 @@ StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction);
 StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
                                 int resolution, const SurfaceScene* scene = nullptr);
 
+/// Those of many pairs, which is faster together.
+std::vector<StereoImages> draw_stereo_images(const NormalizedShape& shape,
+                                             std::span<const StereoPair> pairs, int resolution,
+                                             const SurfaceScene* scene = nullptr,
+                                             const ForEach& for_each = for_each_in_turn);
+
 }  // namespace marrow

@@ -22,6 +22,9 @@ class Projections {
   std::pair<double, double> operator()(std::size_t i, const Vec3& p) const {
     return {dot(planes_[i].u, p) + middle_, dot(planes_[i].v, p) + middle_};
   }
+  /// The axes of image `i`, scaled to pixels, and where the origin falls along both.
+  const ViewPlane& plane(std::size_t i) const { return planes_[i]; }
+  double middle() const { return middle_; }
 
  private:
   std::vector<const ViewImage*> images_;

@@ -36,13 +36,14 @@ void run_map(const MapRequest& request) {
 void add_map_command(CLI::App& program) {
   const auto request = std::make_shared<MapRequest>();
   CLI::App* verb = program.add_subcommand("map", "From the surface of a shape to its skeleton");
-  verb->add_option(
-          "-o,--output", request->out,
-          "The map: .csv .json, or .ply, which is coloured by branch; - is standard output")
+  verb->add_option("-o,--output", request->out,
+                   "The map: .csv .json, .ply, which is coloured by branch, or .glb, the shape "
+                   "with joints and\n"
+                   "skin weights; - is standard output")
       ->required()
       ->type_name("FILE");
   add_format_option(*verb, "--to", request->to, "Format of the output, whatever its extension",
-                    {"csv", "json", "ply"});
+                    {"csv", "json", "ply", "glb"});
   add_pair_options(*verb, request->pair);
   verb->footer(
       "The node, branch and part of every point of SHAPE, or of every foreground voxel, all\n"
@@ -52,6 +53,8 @@ void add_map_command(CLI::App& program) {
       "Examples:\n"
       "  marrow map horse.obj horse.skel -o horse.csv\n"
       "  marrow map horse.obj horse.skel -o coloured.ply\n"
+      "  marrow convert horse.skel bones.skel --simplify 0.005\n"
+      "  marrow map horse.obj bones.skel -o rigged.glb               joints and skin weights\n"
       "  marrow extract horse.obj -o horse.obj --map horse.json      both in one go\n");
   verb->callback([request] { run_map(*request); });
 }

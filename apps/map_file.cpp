@@ -2,6 +2,7 @@
 
 #include <marrow/error.hpp>
 #include <marrow/file_io.hpp>
+#include <marrow/rig.hpp>
 
 #include <array>
 #include <bit>
@@ -160,6 +161,15 @@ std::string format_ply(const SurfaceMap& map, const Volume&, const Sites& sites)
   return format_ply(map, sites.middles(), {});
 }
 
+std::string format_rig(const SurfaceMap& map, const Shape& shape, const CurveSkeleton& skeleton) {
+  return format_rig_glb(shape, skeleton, map);
+}
+
+std::string format_rig(const SurfaceMap&, const Volume&, const CurveSkeleton&) {
+  throw Error(ErrorKind::Unsupported,
+              "a .glb is of a mesh; the map of a volume is .csv, .json or .ply");
+}
+
 const Volume* volume_in(const Volume& volume) { return &volume; }
 const Volume* volume_in(const Shape&) { return nullptr; }
 
@@ -169,6 +179,7 @@ std::string map_file_of(const Input& input, const CurveSkeleton& skeleton, MapFo
   const Sites sites(input);
   if (format == MapFormat::Csv) return format_csv(map, sites);
   if (format == MapFormat::Json) return format_json(map, sites, volume_in(input));
+  if (format == MapFormat::Glb) return format_rig(map, input, skeleton);
   return format_ply(map, input, sites);
 }
 
@@ -176,12 +187,14 @@ std::string map_file_of(const Input& input, const CurveSkeleton& skeleton, MapFo
 
 MapFormat map_format_of(const std::string& path) {
   if (path == "-")
-    throw Error(ErrorKind::Usage, "a map needs a file with an extension: .csv, .json or .ply");
+    throw Error(ErrorKind::Usage,
+                "a map needs a file with an extension: .csv, .json, .ply or .glb");
   const std::string extension = extension_of(path);
   if (extension == "csv") return MapFormat::Csv;
   if (extension == "json") return MapFormat::Json;
   if (extension == "ply") return MapFormat::Ply;
-  throw Error(ErrorKind::Unsupported, path + ": maps are .csv, .json or .ply files");
+  if (extension == "glb") return MapFormat::Glb;
+  throw Error(ErrorKind::Unsupported, path + ": maps are .csv, .json, .ply or .glb files");
 }
 
 std::string map_file(const std::variant<Shape, Volume>& shape, const CurveSkeleton& skeleton,

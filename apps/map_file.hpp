@@ -8,7 +8,7 @@
 
 namespace marrow {
 
-enum class MapFormat { Csv, Json, Ply };
+enum class MapFormat { Csv, Json, Ply, Glb };
 
 /// Of the extension of `path`. Throws Error: Unsupported; Usage for "-", which has none.
 MapFormat map_format_of(const std::string& path);
@@ -21,7 +21,8 @@ MapFormat map_format_of(const std::string& path);
 ///   "voxels": its sides, and "index": x + nx (y + ny z)
 /// - Ply: binary, the shape itself with red, green and blue by branch, and node, branch and part; a
 ///   volume as the middles of its voxels
-/// Throws Error: Empty (the skeleton has no nodes).
+/// - Glb: a mesh with joints and skin weights, see format_rig_glb()
+/// Throws Error: Empty (the skeleton has no nodes), Unsupported (a rig of a volume).
 std::string map_file(const std::variant<Shape, Volume>& shape, const CurveSkeleton& skeleton,
                      MapFormat format);
 

@@ -56,20 +56,27 @@ std::optional<Bridge> bridge_from(const VoxelGrid& grid, const VoxelLabels& labe
   const VoteGraph::Node& node = core.node(leaf);
   const std::uint32_t own = labels.part[node.voxel];
   const double farthest = node.radius + reach;
-  const int r = static_cast<int>(farthest / grid.size) + 1;
-  const int x = grid.x_of(node.voxel), y = grid.y_of(node.voxel), z = grid.z_of(node.voxel);
+  // A voxel this many away along one axis is at least one less away in all.
+  const auto reaches = [&](int voxels, double way) { return (voxels - 1) * grid.size <= way; };
+  const int at_y = grid.y_of(node.voxel), at_z = grid.z_of(node.voxel);
   std::optional<Bridge> best;
-  for (int dz = -r; dz <= r; ++dz)
-    for (int dy = -r; dy <= r; ++dy)
-      for (int dx = -r; dx <= r; ++dx) {
-        if (!grid.contains(x + dx, y + dy, z + dz)) continue;
-        const std::uint32_t v = grid.index(x + dx, y + dy, z + dz);
-        if (labels.part[v] == kNone || labels.part[v] == own) continue;
-        const Vec3 way = grid.center(v) - node.position;
-        const Bridge bridge{length(way), node.voxel, v};
-        if (bridge.length > farthest || dot(way, *direction) < kStraight * bridge.length) continue;
-        if (!best || bridge.key() < best->key()) best = bridge;
-      }
+  const auto limit = [&] { return best ? best->length : farthest; };
+  const auto look_along = [&](int y, int z) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::uint32_t v = grid.index(x, y, z);
+      if (labels.part[v] == kNone || labels.part[v] == own) continue;
+      const Vec3 centre = grid.origin + Vec3{x + 0.5, y + 0.5, z + 0.5} * grid.size;
+      const Vec3 way = centre - node.position;
+      const Bridge bridge{length(way), node.voxel, v};
+      if (bridge.length > farthest || dot(way, *direction) < kStraight * bridge.length) continue;
+      if (!best || bridge.key() < best->key()) best = bridge;
+    }
+  };
+  for (int dz = 0; dz < grid.nz && reaches(dz, limit()); ++dz)
+    for (const int z : {at_z - dz, at_z + dz})
+      for (int dy = 0; z >= 0 && z < grid.nz && dy < grid.ny && reaches(dy, limit()); ++dy)
+        for (const int y : {at_y - dy, at_y + dy})
+          if (y >= 0 && y < grid.ny) look_along(y, z);
   return best;
 }
 

@@ -3,63 +3,15 @@
 #include <marrow/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <limits>
 
 #include "skeleton_text_detail.hpp"
+#include "spanning_forest_detail.hpp"
 
 namespace marrow::skeleton_detail {
 
 namespace {
 
-constexpr NodeId kNone = std::numeric_limits<NodeId>::max();
-
-/// A spanning tree in depth-first order: a parent before its children, a part after the other.
-struct Forest {
-  std::vector<NodeId> order;       ///< nodes as they are visited
-  std::vector<NodeId> parent;      ///< of every node; kNone: a root
-  std::vector<std::uint64_t> row;  ///< of every node in the order, from 1
-};
-
-/// The thickest node of every part, the first of equals; parts in the order of their first nodes.
-std::vector<NodeId> roots_of(const CurveSkeleton& skeleton) {
-  const auto part = component_of_nodes(skeleton);
-  std::vector<NodeId> roots;
-  for (NodeId n = 0; n < part.size(); ++n) {
-    if (part[n] == roots.size()) roots.push_back(n);
-    NodeId& root = roots[part[n]];
-    if (skeleton.nodes[n].radius > skeleton.nodes[root].radius) root = n;
-  }
-  return roots;
-}
-
-/// Neighbours in the order of their ids, so that a file that is read back is written the same.
-Forest spanning_forest(const CurveSkeleton& skeleton) {
-  const auto neighbours = neighbours_of(skeleton);
-  const std::size_t count = skeleton.nodes.size();
-  Forest forest{{}, std::vector<NodeId>(count, kNone), std::vector<std::uint64_t>(count, 0)};
-  std::vector<std::uint32_t> next(count, 0);
-  const auto visit = [&](NodeId n) {
-    forest.order.push_back(n);
-    forest.row[n] = forest.order.size();
-  };
-  for (const NodeId root : roots_of(skeleton)) {
-    visit(root);
-    for (NodeId n = root; n != kNone;) {
-      if (next[n] == neighbours[n].size()) {
-        n = forest.parent[n];
-        continue;
-      }
-      const NodeId child = neighbours[n][next[n]++];
-      if (forest.row[child] > 0) continue;
-      forest.parent[child] = n;
-      visit(child);
-      n = child;
-    }
-  }
-  return forest;
-}
-
-void append_loops(std::string& text, const CurveSkeleton& skeleton, const Forest& forest) {
+void append_loops(std::string& text, const CurveSkeleton& skeleton, const SpanningForest& forest) {
   std::vector<std::array<std::uint64_t, 2>> loops;
   for (const auto& [a, b] : skeleton.edges)
     if (forest.parent[a] != b && forest.parent[b] != a)
@@ -107,7 +59,7 @@ void read_comment(const Lines& lines, Rows& rows) {
   const auto& words = lines.words();
   if (words.size() < 2 || words[0] != "#" || words[1] != "loop-edge") return;
   if (words.size() != 4) lines.fail("an edge that closes a cycle is '# loop-edge i j'");
-  rows.links.push_back({kNone, lines.integer(2), lines.integer(3), lines.line(), false});
+  rows.links.push_back({kNoParent, lines.integer(2), lines.integer(3), lines.line(), false});
 }
 
 void connect(Rows& rows, const Source& source) {
@@ -132,13 +84,13 @@ void connect(Rows& rows, const Source& source) {
 
 std::string format_swc(const CurveSkeleton& skeleton) {
   std::string text = "# marrow curve-skeleton\n# id type x y z radius parent\n";
-  const Forest forest = spanning_forest(skeleton);
+  const SpanningForest forest = spanning_forest(skeleton);
   for (const NodeId n : forest.order) {
     append(text, forest.row[n]);
     text += " 0 ";
     append(text, skeleton.nodes[n], " ");
     text += ' ';
-    if (forest.parent[n] == kNone)
+    if (forest.parent[n] == kNoParent)
       text += "-1";
     else
       append(text, forest.row[forest.parent[n]]);

@@ -37,6 +37,18 @@ assert len(m["branches"]) == 6 and set(m["branch"]) == set(range(6))
 assert all(n in m["branches"][b] for n, b in zip(m["node"], m["branch"]))
 EOF
 
+# --- rigs -----------------------------------------------------------------------------------------
+good map star.obj star.skel -o rig.glb
+joints=$(sed -n 2p star.skel)
+if assimp version >/dev/null 2>&1; then
+  assimp info rig.glb >stdout 2>&1 || fail "assimp: $(tail -n 1 stdout)"
+  says '^Bones: +[1-9]'
+  [ "$(grep -c 'joint [0-9]' stdout)" -eq "$joints" ] || fail "assimp: not $joints joints"
+  says '^Faces: +[1-9]'
+else
+  echo "skipped: no assimp on this machine"
+fi
+
 # --- clouds and volumes ---------------------------------------------------------------------------
 sed -n 's/^v //p' star.obj >cloud.xyz
 good map cloud.xyz star.skel -o cloud.ply
@@ -62,6 +74,8 @@ bad 2 'a file with an extension' map star.obj star.skel -o -
 bad 2 'only one of' map - - -o out.csv --from obj
 bad 2 'twice' extract star.obj -o out.ply --map out.ply "${quick[@]}"
 bad 2 'is the input' map star.obj star.skel -o star.obj --to ply
+bad 5 'a .glb is of a mesh' map star.nrrd star.skel -o out.glb
+bad 6 'no skin' map cloud.xyz star.skel -o out.glb
 bad 3 'none.obj' map none.obj star.skel -o out.csv
 bad 8 'no folder' map star.obj star.skel -o none/out.csv
 

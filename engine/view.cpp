@@ -65,7 +65,9 @@ std::vector<Vec3> distinct_directions(std::span<const Vec3> directions) {
   std::vector<Vec3> distinct;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Vec3 unit = unit_of(directions[i], i + 1);
-    const auto is_same = [&](const Vec3& d) { return length(cross(d, unit)) <= kSameDirection; };
+    const auto is_same = [&](const Vec3& other) {
+      return length(cross(other, unit)) <= kSameDirection;
+    };
     if (std::none_of(distinct.begin(), distinct.end(), is_same)) distinct.push_back(unit);
   }
   return distinct;

@@ -12,8 +12,6 @@ namespace marrow::volume_detail {
 
 namespace {
 
-constexpr std::string_view kEndsOfLine = "\r\n";
-
 std::string beside(const std::string& path, const std::string& name) {
   const std::size_t slash = path.rfind('/');
   // Never a bare name: "-" would be standard input.

@@ -25,7 +25,7 @@ max_length=8000  # of an input; longer seeds count by their beginnings, which is
 make_seeds() {
   local seeds=$1 marrow=build/release/bin/marrow extension
   mkdir -p "$seeds"
-  for extension in obj ply stl off; do
+  for extension in obj ply stl off nrrd; do
     "$marrow" make capsule --resolution 0.5 -o "$seeds/capsule.$extension"
   done
   for extension in obj skel ply json cg graph swc polylines.txt vtp graphml csv; do
@@ -37,7 +37,7 @@ make_seeds() {
 
 # The words in quotes of the tests of readers and writers, as a dictionary of libFuzzer.
 make_dictionary() {
-  grep -ohE '"([^"\\]|\\[nrt"])+"' tests/shape_*_test.cpp tests/skeleton_*_test.cpp |
+  grep -ohE '"([^"\\]|\\[nrt"])+"' tests/{shape,skeleton,volume}_*_test.cpp |
     sed 's/\\n/\\x0A/g; s/\\r/\\x0D/g; s/\\t/\\x09/g' | LC_ALL=C sort -u
 }
 
@@ -59,7 +59,7 @@ run() {
     /stat::average_exec_per_sec/ { speed = $2 }
     { for (i = 1; i < NF; ++i) if ($i == "cov:") coverage = $(i + 1) }
     END {
-      printf "%-14s %10d executions %7d /s %6d edges %3d findings\n",
+      printf "%-18s %10d executions %7d /s %6d edges %3d findings\n",
         target, runs, speed, coverage, found
       exit runs == 0
     }' "$log" || die "$target did not run; its words: $log"

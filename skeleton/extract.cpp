@@ -16,6 +16,7 @@
 #include <marrow/shape_summary.hpp>
 #include <marrow/smoothing.hpp>
 #include <marrow/stereo_matching.hpp>
+#include <marrow/touching_bodies.hpp>
 #include <marrow/volume_summary.hpp>
 #include <marrow/volume_surface.hpp>
 
@@ -26,6 +27,8 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+
+#include "branch_graph_detail.hpp"
 
 namespace marrow {
 
@@ -250,6 +253,20 @@ VoxelSet solid_hull(const NormalizedShape& shape, std::span<const StereoImages> 
   return bridge_gaps(grid, std::move(hull), core, kLongestGap * median_spacing(shape));
 }
 
+/// The graph of the thinned solid. Where that of a cloud has cycles, bodies are parted that only
+/// the discs of their samples weld.
+VoteGraph thinned_graph(const NormalizedShape& shape, const VoteGrid& votes, const VoxelSet& solid,
+                        const VoteGraph& core, double pixel) {
+  const auto depth = distance_transform(votes.grid, solid);
+  const auto thinned_by = [&](const VoteGrid& order) {
+    const VoxelSet thin_set = thin_by_votes(order, solid, depth, core);
+    return prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), votes.grid.size);
+  };
+  VoteGraph graph = thinned_by(votes);
+  if (!shape.is_point_cloud() || BranchGraph(graph).cycle_count() == 0) return graph;
+  return part_bodies(thinned_by(votes_off_samples(votes, shape)), shape).value_or(std::move(graph));
+}
+
 /// Only a mesh has a surface: a cloud has none, and that of a volume is made of steps.
 bool is_on_surface(const Shape& shape, Refinement refinement) {
   return refinement == Refinement::Surface && !shape.is_point_cloud();
@@ -279,10 +296,7 @@ VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, cons
   record.begin("hull topology", 0.72);
   const VoxelSet solid = record.keep(
       &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph));
-  const auto depth = distance_transform(grid, solid);
-  const VoxelSet thin_set = thin_by_votes(votes, solid, depth, graph);
-  graph = record.keep(&Trace::thinned,
-                      prune_leaves(graph_of(votes, solid, depth, thin_set, pixel), voxel));
+  graph = record.keep(&Trace::thinned, thinned_graph(shape, votes, solid, graph, pixel));
 
   // 4.4.2: branch collapse, and what the surface says of cycles.
   record.begin("branch collapse", 0.93);
@@ -291,6 +305,7 @@ VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, cons
   // 4.4, last paragraph: tips and smoothing.
   record.begin("smoothing", 0.94);
   graph = trim_leaves(cut_hooks(graph, voxel), voxel);
+  if (shape.is_point_cloud()) graph = without_lone_nodes(graph);
   return record.keep(&Trace::smoothed, smooth_branches(std::move(graph), options.smoothing_passes));
 }
 

@@ -25,6 +25,17 @@ bad 7 "torus.obj: holds more triangles than the limit of $((faces - 1)); raise -
 bad 7 'raise --max-faces' info torus.obj --max-faces 1
 bad 7 'raise --max-faces' render torus.obj skeleton.obj -o out.png --max-faces 1
 "$marrow" info torus.obj --max-faces "$faces" --max-file "$bytes" >stdout || fail "limits are too narrow"
+"$marrow" make torus -o torus.nrrd --voxels 32 || exit 1
+read -r nx ny nz < <(sed -n 's/^sizes: //p' torus.nrrd)
+voxels=$(((nx + 63) / 64 * 64 * ny * nz))   # a row counts as a multiple of 64
+bad 7 "torus.nrrd: has $nx x $ny x $nz voxels, more than the limit of $((voxels - 1))" \
+  extract torus.nrrd -o out.obj --max-voxels $((voxels - 1))
+for verb in info 'render -o out.png'; do
+  # shellcheck disable=SC2086
+  bad 7 'raise --max-voxels' $verb torus.nrrd --max-voxels 1
+done
+"$marrow" info torus.nrrd --max-voxels "$voxels" >stdout || fail "the limit of voxels is too narrow"
+bad 2 '--max-voxels' info torus.nrrd --max-voxels -1
 "$marrow" info torus.obj --max-file 1G >stdout || fail "no G"
 "$marrow" extract - --from obj -o out.obj --max-file 1000 <torus.obj 2>stderr
 status=$?
@@ -36,7 +47,7 @@ bad 2 '--max-faces' info torus.obj --max-faces -1
 bad 2 '--timeout' info torus.obj --timeout -1
 for verb in batch extract info render; do
   "$marrow" "$verb" --help >stdout
-  for option in '--max-file SIZE' '--max-faces N' '--timeout SECONDS'; do
+  for option in '--max-file SIZE' '--max-faces N' '--max-voxels N' '--timeout SECONDS'; do
     grep -qF -- "$option" stdout || fail "$verb --help does not tell of $option"
   done
 done

@@ -2,7 +2,9 @@
 // the sum of all changes from the left is that number. Rows are crossed from their lower side on,
 // so that a corner on a row counts once. A pixel centre on a contour is set by itself: which side
 // of it the sum takes it for is nothing.
+#include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "contour_fill_detail.hpp"

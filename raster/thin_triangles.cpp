@@ -185,10 +185,6 @@ PackedTriangles uncovered(const SnappedPoints& points, std::span<const Triangle>
   return chosen;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether the image holds the box; most boxes are small.
 bool holds(const BitImage& image, const Extent& box) {
   const int word = box.left >> 6;

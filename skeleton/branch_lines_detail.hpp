@@ -3,6 +3,7 @@
 
 #include <marrow/curve_skeleton.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace marrow {
@@ -10,9 +11,9 @@ namespace marrow {
 /// One point of a line.
 struct LinePoint {
   Vec3 position;
-  double radius = 0;          ///< of the inscribed ball
-  double section_radius = 0;  ///< mean half width of the section
-  double most = 4;            ///< what the radius is at most; 4: nothing is known of it
+  double radius = 0;                                      ///< of the inscribed ball
+  double section_radius = 0;                              ///< mean half width of the section
+  double most = std::numeric_limits<double>::infinity();  ///< what the radius is at most
 };
 
 /// A branch: its points from end to end. A ring has no end, and no point twice.

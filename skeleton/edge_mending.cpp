@@ -14,8 +14,7 @@ LinePoint middle(const LinePoint& a, const LinePoint& b, const SurfaceProbe& pro
   Vec3 p = (a.position + b.position) * 0.5;
   if (probe.is_outside(p)) p = probe.inside_near(p).value_or(p);
   const Vec3 chord = b.position - a.position;
-  const Vec3 along = chord / length(chord);
-  const Vec3 centre = probe.section(p, along, probe.walls_across(p, along), probe.radius(p)).centre;
+  const Vec3 centre = probe.section(p, chord / length(chord), probe.radius(p)).centre;
   if (!probe.is_blocked(p, centre)) p = centre;
   return measured(p, probe);
 }

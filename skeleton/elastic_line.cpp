@@ -106,13 +106,13 @@ class LineInverse {
   LineInverse(std::span<const BranchLine> lines, const ElasticForm& form, const Numbering& number)
       : place_(number.count()) {
     for (std::size_t l = 0; l < lines.size(); ++l) {
-      Part part{{}, BandMatrix(0)};
+      std::vector<std::size_t> points;
       for (std::size_t i = 0; i < lines[l].size(); ++i)
-        if (!lines[l].is_joint(i)) part.points.push_back(number(l, i));
-      add(std::move(part));
+        if (!lines[l].is_joint(i)) points.push_back(number(l, i));
+      add(std::move(points));
     }
     for (std::size_t n = 0; n < place_.size(); ++n)
-      if (place_[n].part == kNone) add({{n}, BandMatrix(0)});
+      if (place_[n].part == kNone) add({n});
     fill(form);
   }
 
@@ -136,11 +136,10 @@ class LineInverse {
     std::size_t part = kNone, index = 0;
   };
 
-  void add(Part part) {
-    for (std::size_t i = 0; i < part.points.size(); ++i)
-      place_[part.points[i]] = {parts_.size(), i};
-    part.matrix = BandMatrix(part.points.size());
-    parts_.push_back(std::move(part));
+  void add(std::vector<std::size_t> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) place_[points[i]] = {parts_.size(), i};
+    BandMatrix matrix(points.size());
+    parts_.push_back({std::move(points), std::move(matrix)});
   }
 
   void fill(const ElasticForm& form) {

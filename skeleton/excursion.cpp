@@ -59,7 +59,7 @@ VoxelSet cells_near(const VoxelGrid& grid, std::span<const Vec3> points, double 
     for (int z = z0; z <= z1; ++z) {
       for (int y = y0; y <= y1; ++y) {
         const auto is_far = [&](int x) {
-          return squared_length(grid.center(grid.index(x, y, z)) - p) > reach * reach;
+          return squared_length(grid.center(x, y, z) - p) > reach * reach;
         };
         int first = x0, last = x1;
         while (first <= last && is_far(first)) ++first;

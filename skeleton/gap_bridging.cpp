@@ -56,25 +56,25 @@ std::optional<Bridge> bridge_from(const VoxelGrid& grid, const VoxelLabels& labe
   const VoteGraph::Node& node = core.node(leaf);
   const std::uint32_t own = labels.part[node.voxel];
   const double farthest = node.radius + reach;
-  // A voxel this many away along one axis is at least one less away in all.
-  const auto reaches = [&](int voxels, double way) { return (voxels - 1) * grid.size <= way; };
   const int at_y = grid.y_of(node.voxel), at_z = grid.z_of(node.voxel);
   std::optional<Bridge> best;
-  const auto limit = [&] { return best ? best->length : farthest; };
+  // A voxel this many away along one axis is at least one less away in all.
+  const auto may_be_nearer = [&](int voxels) {
+    return (voxels - 1) * grid.size <= (best ? best->length : farthest);
+  };
   const auto look_along = [&](int y, int z) {
     for (int x = 0; x < grid.nx; ++x) {
       const std::uint32_t v = grid.index(x, y, z);
       if (labels.part[v] == kNone || labels.part[v] == own) continue;
-      const Vec3 centre = grid.origin + Vec3{x + 0.5, y + 0.5, z + 0.5} * grid.size;
-      const Vec3 way = centre - node.position;
+      const Vec3 way = grid.center(x, y, z) - node.position;
       const Bridge bridge{length(way), node.voxel, v};
       if (bridge.length > farthest || dot(way, *direction) < kStraight * bridge.length) continue;
       if (!best || bridge.key() < best->key()) best = bridge;
     }
   };
-  for (int dz = 0; dz < grid.nz && reaches(dz, limit()); ++dz)
+  for (int dz = 0; dz < grid.nz && may_be_nearer(dz); ++dz)
     for (const int z : {at_z - dz, at_z + dz})
-      for (int dy = 0; z >= 0 && z < grid.nz && dy < grid.ny && reaches(dy, limit()); ++dy)
+      for (int dy = 0; z >= 0 && z < grid.nz && dy < grid.ny && may_be_nearer(dy); ++dy)
         for (const int y : {at_y - dy, at_y + dy})
           if (y >= 0 && y < grid.ny) look_along(y, z);
   return best;

@@ -106,7 +106,7 @@ class Carver {
   /// Whether the silhouette holds a voxel. Along a row of voxels the coordinates are those of the
   /// first plus a multiple of the step: rounding must not depend on how a voxel is come by.
   bool holds(int x, int y, int z) const {
-    const Vec3 first = grid_.center(grid_.index(0, y, z));
+    const Vec3 first = grid_.center(0, y, z);
     const auto [u0, v0] = project_(image_, first);
     const auto [u1, v1] = project_(image_, first + Vec3{grid_.size, 0, 0});
     return is_set(mask_, {u0 + x * (u1 - u0), v0 + x * (v1 - v0)});

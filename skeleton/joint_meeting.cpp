@@ -13,7 +13,6 @@ constexpr double kSpan = 1.5;       // radii of the joint: what tells where a li
 constexpr double kLeastSpan = 0.5;  // radii of the joint
 constexpr double kFarthest = 2.5;   // radii of the joint: how far it may go
 constexpr double kStay = 0.5;       // weight of the old place
-constexpr double kSame = 0.5;       // of the smaller radius: two joints are one
 constexpr int kHalvings = 2;
 
 /// The end of a line at a joint; points are counted from there.

@@ -116,16 +116,15 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
   std::vector<std::vector<Travel>> travels;
   for (BranchLine& line : lines) {
     auto& of_line = travels.emplace_back();
-    for (const LinePoint& p : line.points) of_line.push_back({p.position, probe.hull(p.position)});
+    for (LinePoint& p : line.points) {
+      of_line.push_back({p.position, probe.hull(p.position)});
+      bring_inside(p, of_line.back(), probe);
+    }
   }
   for (int round = 0; round < rounds; ++round) {
     Holds holds;
-    for (std::size_t l = 0; l < lines.size(); ++l) {
-      BranchLine& line = lines[l];
-      for (std::size_t i = 0; round == 0 && i < line.size(); ++i)
-        bring_inside(line.points[i], travels[l][i], probe);
-      holds.push_back(holds_of(line, probe, travels[l]));
-    }
+    for (std::size_t l = 0; l < lines.size(); ++l)
+      holds.push_back(holds_of(lines[l], probe, travels[l]));
     const auto places = relax(lines, holds);
     for (std::size_t l = 0; l < lines.size(); ++l)
       for (std::size_t i = 0; i < lines[l].size(); ++i)
@@ -140,8 +139,7 @@ void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
     p.section_radius = p.radius;
     const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
     if (line.is_joint(i) || tangent == Vec3{}) continue;
-    const Section section =
-        probe.section(p.position, tangent, probe.walls_across(p.position, tangent), p.radius);
+    const Section section = probe.section(p.position, tangent, p.radius);
     p.section_radius = std::clamp(section.half_width, p.radius, kMost * p.radius);
   }
   const auto fade = [&](std::size_t joint, auto along) {

@@ -47,6 +47,9 @@ class SurfaceProbe {
   Walls walls_across(const Vec3& p, const Vec3& tangent) const;
   /// At a point whose distance to the surface is `radius`.
   Section section(const Vec3& p, const Vec3& tangent, const Walls& walls, double radius) const;
+  Section section(const Vec3& p, const Vec3& tangent, double radius) const {
+    return section(p, tangent, walls_across(p, tangent), radius);
+  }
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;
   bool is_outside(const Vec3& p) const;

@@ -57,8 +57,7 @@ void shorten(BranchLine& line, const SurfaceProbe& probe) {
 LinePoint next_place(const LinePoint& last, const Vec3& way, double step,
                      const SurfaceProbe& probe) {
   const LinePoint ahead = measured(last.position + way * step, probe, last.radius + step);
-  const Walls walls = probe.walls_across(ahead.position, way);
-  const Vec3 off = probe.section(ahead.position, way, walls, ahead.radius).centre - ahead.position;
+  const Vec3 off = probe.section(ahead.position, way, ahead.radius).centre - ahead.position;
   const double far = length(off), most = 0.5 * std::min(ahead.radius, step);
   const Vec3 place = ahead.position + (far > most ? off * (most / far) : off);
   return measured(place, probe, ahead.radius + std::min(far, most));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "branch_graph_detail.hpp"
+#include "live_graph_detail.hpp"
 
 namespace marrow {
 
@@ -31,8 +32,8 @@ void for_voxels_near(const VoxelGrid& grid, const Vec3& place, double radius, Vi
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx) {
         if (!grid.contains(x + dx, y + dy, z + dz)) continue;
-        const std::uint32_t v = grid.index(x + dx, y + dy, z + dz);
-        if (squared_length(grid.center(v) - place) <= radius * radius) visit(v);
+        if (squared_length(grid.center(x + dx, y + dy, z + dz) - place) <= radius * radius)
+          visit(grid.index(x + dx, y + dy, z + dz));
       }
 }
 
@@ -131,17 +132,10 @@ std::optional<VoteGraph> part_bodies(const VoteGraph& graph, const NormalizedSha
 
 VoteGraph without_lone_nodes(const VoteGraph& graph) {
   if (graph.edges.empty()) return graph;
-  std::vector<bool> has_edge(graph.nodes.size(), false);
-  for (const auto& edge : graph.edges)
-    for (const NodeId n : edge) has_edge[n] = true;
-  VoteGraph result;
-  std::vector<NodeId> number(graph.nodes.size(), 0);
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    number[n] = static_cast<NodeId>(result.nodes.size());
-    if (has_edge[n]) result.nodes.push_back(graph.nodes[n]);
-  }
-  for (const auto& edge : graph.edges) result.edges.push_back({number[edge[0]], number[edge[1]]});
-  return result;
+  LiveGraph live(graph);
+  for (NodeId n = 0; n < live.size(); ++n)
+    if (live.degree(n) == 0) live.remove_node(n);
+  return live.result();
 }
 
 }  // namespace marrow

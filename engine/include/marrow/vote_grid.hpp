@@ -33,9 +33,8 @@ struct VoxelGrid {
   int x_of(std::uint32_t voxel) const { return static_cast<int>(voxel) % nx; }
   int y_of(std::uint32_t voxel) const { return static_cast<int>(voxel) / nx % ny; }
   int z_of(std::uint32_t voxel) const { return static_cast<int>(voxel) / nx / ny; }
-  Vec3 center(std::uint32_t voxel) const {
-    return origin + Vec3{x_of(voxel) + 0.5, y_of(voxel) + 0.5, z_of(voxel) + 0.5} * size;
-  }
+  Vec3 center(int x, int y, int z) const { return origin + Vec3{x + 0.5, y + 0.5, z + 0.5} * size; }
+  Vec3 center(std::uint32_t voxel) const { return center(x_of(voxel), y_of(voxel), z_of(voxel)); }
 
   friend bool operator==(const VoxelGrid&, const VoxelGrid&) = default;
 };

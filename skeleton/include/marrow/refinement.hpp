@@ -24,7 +24,8 @@ struct RefinementInput {
 
 /// The same graph in the middle of the surface, in the normalised frame: branches are sampled anew,
 /// every node moves to where opposite walls are as far, held by the stiffness of its branch; leaves
-/// run on to where their ball touches the end. Joints stay. `radius` is the distance to the
+/// run on to where their ball touches the end. Joints go to where their limbs point to.
+/// `radius` is the distance to the
 /// surface, `section_radius` the mean half width of the section, up to half more. Components,
 /// cycles and leaves stay what they are, whatever the surface: open, with holes, or a soup.
 CurveSkeleton recentre(const CurveSkeleton& skeleton, const RefinementInput& input);

@@ -25,6 +25,10 @@ void measure(BranchLine& line, const SurfaceProbe& probe);
 /// Adds points where an edge runs through a wall, pulled into the shape.
 void mend_edges(BranchLine& line, const SurfaceProbe& probe);
 
+/// A leaf at the end of the line that has run into one of several corners of a blunt end, such as a
+/// foot, goes back to where the limb is whole: which corner it was is chance.
+void leave_corner(BranchLine& line, const SurfaceProbe& probe);
+
 /// Leaves run on, or back, to where their ball touches the end of the limb; none runs into the ball
 /// of another line.
 void settle_tips(std::vector<BranchLine>& lines, const SurfaceProbe& probe);

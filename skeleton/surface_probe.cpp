@@ -162,11 +162,14 @@ double SurfaceProbe::ahead(const Vec3& p, const Vec3& direction) const {
                                  -(u * kHalf + v * kRoot3Half),
                                  u * kHalf - v * kRoot3Half};
   std::array<double, 7> ways{};
-  for (std::size_t i = 0; i < cone.size(); ++i) {
-    const auto hit = wall(p, normalized(direction + cone[i] * kSpread));
-    ways[i] = hit ? hit->distance : kFar;
-  }
+  for (std::size_t i = 0; i < cone.size(); ++i)
+    ways[i] = free_way(p, normalized(direction + cone[i] * kSpread));
   return median(ways);
+}
+
+double SurfaceProbe::free_way(const Vec3& p, const Vec3& direction) const {
+  const auto hit = wall(p, direction);
+  return hit ? hit->distance : kFar;
 }
 
 bool SurfaceProbe::is_outside(const Vec3& p) const {
@@ -200,7 +203,7 @@ std::optional<Vec3> SurfaceProbe::inside_near(const Vec3& p) const {
 
 bool SurfaceProbe::is_blocked(const Vec3& a, const Vec3& b) const {
   const double way = distance(a, b);
-  return way > 0 && wall(a, (b - a) / way).value_or(SurfaceHit{kFar, 0, {}}).distance < way;
+  return way > 0 && free_way(a, (b - a) / way) < way;
 }
 
 }  // namespace marrow

@@ -50,6 +50,8 @@ class SurfaceProbe {
   Section section(const Vec3& p, const Vec3& tangent, double radius) const {
     return section(p, tangent, walls_across(p, tangent), radius);
   }
+  /// Way to the first wall in a direction; kFar without one.
+  double free_way(const Vec3& p, const Vec3& direction) const;
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;
   bool is_outside(const Vec3& p) const;

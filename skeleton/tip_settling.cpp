@@ -109,6 +109,7 @@ void settle_tips(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
     };
     for (int end = 0; end < 2; ++end) {
       if (line.ends_at_leaf) {
+        leave_corner(line, probe);
         shorten(line, probe);
         lengthen(line, probe, is_taken);
       }

@@ -163,6 +163,45 @@ TEST_CASE("a joint goes to where its limbs point to", "[refinement]") {
   }
 }
 
+TEST_CASE("a line does not end in one of the corners of a blunt end", "[refinement]") {
+  const Shape post = make_box({1, 0.25, 0.25});
+  for (const double side : {-1.0, 1.0}) {
+    CurveSkeleton line = straight_line({-0.6, 0, 0}, {0.75, 0, 0}, 30, 0.2);
+    for (int i = 1; i <= 8; ++i) {  // into the corner at (1, .25, side * .25)
+      const auto last = static_cast<NodeId>(line.nodes.size());
+      line.nodes.push_back({{0.75 + 0.025 * i, 0.025 * i, 0.025 * i * side}, 0.25 - 0.025 * i});
+      line.edges.push_back({last - 1, last});
+    }
+    const CurveSkeleton s = Stage(post).recentred(line);
+    check_same_topology(s, line);
+    CHECK(off_axis(s) < 0.05);
+    double high = 0;
+    for (const auto& n : s.nodes) high = std::max(high, n.position.x);
+    CHECK(high == Approx(0.75).margin(0.05));
+  }
+}
+
+TEST_CASE("a line follows a foot to its toes", "[refinement]") {
+  const auto leg = sample_curve(40, false, [](double t) { return Ball{{0, 0, 2 * t}, 0.2}; });
+  Shape both = make_tube(leg, 48);
+  append(both, make_tube(sample_curve(40, false,
+                                      [](double t) {
+                                        return Ball{{0.55 * t, 0, 0}, 0.2 - 0.18 * t};
+                                      }),
+                         48));
+  CurveSkeleton line = straight_line({0, 0, 1.5}, {0, 0, 0}, 30, 0.15);
+  for (int i = 1; i <= 11; ++i) {
+    const auto last = static_cast<NodeId>(line.nodes.size());
+    line.nodes.push_back({{0.05 * i, 0, 0}, 0.03});
+    line.edges.push_back({last - 1, last});
+  }
+  const CurveSkeleton s = Stage(both).recentred(line);
+  check_same_topology(s, line);
+  double high = 0;
+  for (const auto& n : s.nodes) high = std::max(high, n.position.x);
+  CHECK(high == Approx(0.55).margin(0.04));
+}
+
 TEST_CASE("walls inside the shape are no walls", "[refinement]") {
   Shape both = tube(-1, 0.1, 0.25);
   append(both, tube(-0.1, 1, 0.25));  // each has a cap within the other

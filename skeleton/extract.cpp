@@ -290,7 +290,7 @@ VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, cons
 
   // 4.4.1: the perceptual core.
   record.begin("perceptual core", 0.7);
-  graph = record.keep(&Trace::core, extract_perceptual_core(graph, voxel));
+  graph = record.keep(&Trace::core, cut_hooks(extract_perceptual_core(graph, voxel), voxel));
 
   // In place of 4.4.3: the topology of the visual hull.
   record.begin("hull topology", 0.72);

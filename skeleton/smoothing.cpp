@@ -67,6 +67,8 @@ bool runs_into_rest(const LiveGraph& graph, const LeafBranch& branch, std::size_
 void cut_hook(LiveGraph& graph, const LeafBranch& branch, double voxel) {
   const std::size_t passed = place_passed_twice(graph, branch, voxel);
   const std::size_t turn = passed > 0 ? turn_before(graph, branch, passed) : 0;
+  const double unit = graph.node(branch.leaf()).radius + kVoxelsBeyond * voxel;
+  if (graph.length(branch.leaf(), branch.nodes[turn]) < unit) return;  // an end that bends
   for (std::size_t i = 0; i < turn; ++i)
     if (!runs_into_rest(graph, branch, i, turn, voxel)) return;
   for (std::size_t i = 0; i < turn; ++i) graph.remove_node(branch.nodes[i]);

@@ -2,6 +2,7 @@
 #include <marrow/error.hpp>
 #include <marrow/extract.hpp>
 #include <marrow/skeleton_io.hpp>
+#include <marrow/smoothing.hpp>
 
 #include <analytic_shapes.hpp>
 #include <tbb/global_control.h>
@@ -277,6 +278,17 @@ TEST_CASE("poor shapes give a skeleton or an error", "[extract]") {
     }
   }
   CHECK(counts(extract(two_balls, quick())).components == 2);
+}
+
+TEST_CASE("the core ends where limbs end, not on the way back", "[extract]") {
+  ExtractOptions coarse;
+  coarse.image_resolution = 64;
+  coarse.grid_resolution = 64;
+  for (const char* name : {"snake", "rings", "plant"}) {  // their trees have hooks
+    INFO(name);
+    const ExtractTrace trace = extract_with_trace(made(name), coarse);
+    CHECK(cut_hooks(trace.core, trace.cleaned.grid.size).nodes == trace.core.nodes);
+  }
 }
 
 TEST_CASE("stages come in order, and may stop the work", "[extract]") {

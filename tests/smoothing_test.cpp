@@ -86,8 +86,9 @@ TEST_CASE("lines of two limbs side by side are no hook", "[smoothing]") {
   const auto is_whole = [](const VoteGraph& graph) {
     return cut_hooks(graph, kVoxel).nodes == graph.nodes;
   };
-  CHECK(is_whole(hooked(0.4, 0.2)));   // their balls touch
-  CHECK(is_whole(hooked(0.02, 0.1)));  // an end that bends
+  CHECK(is_whole(hooked(0.4, 0.2)));    // their balls touch
+  CHECK(is_whole(hooked(0.02, 0.1)));   // an end that bends
+  CHECK(is_whole(hooked(0.09, 0.08)));  // and turns within its ball
   CHECK(is_whole(arms(0)));
   CHECK_FALSE(is_whole(hooked(0.4, 0.1)));
 }

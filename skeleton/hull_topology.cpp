@@ -8,6 +8,7 @@
 #include <bit>
 #include <tuple>
 
+#include "core_in_hull_detail.hpp"
 #include "live_graph_detail.hpp"
 #include "voxel_parts_detail.hpp"
 
@@ -16,7 +17,6 @@ namespace marrow {
 namespace {
 
 constexpr double kLeastPart = 0.02;        // of the greatest part's sum of support
-constexpr int kBridgeSupport = 26;         // of 42 images; real thin limbs have 35 and more
 constexpr std::uint16_t kVotedKey = 1000;  // above every depth in thirds of a voxel
 
 std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
@@ -25,47 +25,6 @@ std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
   for (NodeId n = 0; n < live.size(); ++n)
     if (live.degree(n) <= 1) voxels.push_back(live.node(n).voxel);
   return voxels;
-}
-
-/// A connected piece of the core outside the hull, and how often it meets the hull.
-struct OutsideRun {
-  std::vector<NodeId> nodes;
-  int contacts = 0;
-  int support = 0;  // sum
-
-  bool is_doubtful_bridge() const {
-    return contacts > 1 && support < kBridgeSupport * static_cast<int>(nodes.size());
-  }
-};
-
-OutsideRun outside_run(const LiveGraph& core, const VoxelSet& hull, NodeId start,
-                       std::vector<std::uint8_t>& seen) {
-  OutsideRun run{{start}, 0, 0};
-  seen[start] = 1;
-  for (std::size_t k = 0; k < run.nodes.size(); ++k) {
-    run.support += core.node(run.nodes[k]).support;
-    for (const NodeId m : core.neighbours(run.nodes[k])) {
-      if (hull[core.node(m).voxel])
-        ++run.contacts;
-      else if (!seen[m])
-        seen[m] = 1, run.nodes.push_back(m);
-    }
-  }
-  return run;
-}
-
-/// Adds the voxels of the core: limbs thinner than a voxel are in no hull of voxels. Where the core
-/// only bridges two places of the hull on weak support, it would weld what is apart.
-void add_core(VoxelSet& hull, const VoteGraph& core) {
-  const LiveGraph live(core);
-  const VoxelSet before = hull;
-  std::vector<std::uint8_t> seen(live.size(), 0);
-  for (NodeId n = 0; n < live.size(); ++n) {
-    if (seen[n] || before[live.node(n).voxel]) continue;
-    const OutsideRun run = outside_run(live, before, n, seen);
-    if (run.is_doubtful_bridge()) continue;
-    for (const NodeId m : run.nodes) hull.insert(live.node(m).voxel);
-  }
 }
 
 /// The sum of support over every part of a solid.
@@ -149,7 +108,7 @@ std::vector<VoteGraph::Node> nodes_of(const VoteGrid& votes, const VoxelSet& sol
 
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
                          const VoteGraph& core) {
-  add_core(hull, core);
+  add_core(grid, hull, core);
   const RunParts parts = run_parts(hull);
   const std::vector<long> sums = support_of_parts(grid, parts, votes.votes);
   const long greatest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());

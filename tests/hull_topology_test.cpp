@@ -76,12 +76,32 @@ VoteGraph graph_in(const VoteGrid& votes, const VoxelSet& solid, const VoxelSet&
 }  // namespace
 
 TEST_CASE("the core joins the hull, but for a weak bridge", "[hull_topology]") {
-  const auto [hull, votes] = two_blocks();
+  auto [hull, votes] = two_blocks();
+  fill(hull, 4, 26, 13, 14, 7, 8);  // they are one part
   const auto bridge = kGrid.index(15, 10, 10);
   const VoxelSet strong = supported_solid(kGrid, hull, votes, core_along_x(6, 24, 26));
   CHECK(count(strong) == count(hull) + 4);
   CHECK(strong[bridge]);
   CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 25)) == hull);
+}
+
+TEST_CASE("half of the images are enough for a bridge that alone joins two parts",
+          "[hull_topology]") {
+  const auto [hull, votes] = two_blocks();
+  CHECK(count(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 21))) == count(hull) + 4);
+  CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 20)) == hull);
+  // Of two, the better one joins them, and the other then welds them.
+  VoteGraph both = core_along_x(6, 24, 22);
+  const VoteGraph better = core_along_x(6, 24, 25);
+  const auto first = static_cast<NodeId>(both.nodes.size());
+  for (auto node : better.nodes) {
+    node.voxel += static_cast<std::uint32_t>(2 * kGrid.nx);
+    both.nodes.push_back(node);
+  }
+  for (const auto& [a, b] : better.edges) both.edges.push_back({a + first, b + first});
+  const VoxelSet joined = supported_solid(kGrid, hull, votes, both);
+  CHECK(joined[kGrid.index(15, 12, 10)]);
+  CHECK_FALSE(joined[kGrid.index(15, 10, 10)]);
 }
 
 TEST_CASE("a weak limb that bridges nothing joins the hull", "[hull_topology]") {
@@ -94,9 +114,9 @@ TEST_CASE("a weak limb that bridges nothing joins the hull", "[hull_topology]") 
 TEST_CASE("the mean over a bridge counts", "[hull_topology]") {
   const auto [hull, votes] = two_blocks();
   VoteGraph core = core_along_x(6, 24, 40);
-  core.nodes[8].support = 10;  // one of the four of the bridge
+  core.nodes[8].support = 5;  // one of the four of the bridge
   CHECK(supported_solid(kGrid, hull, votes, core)[kGrid.index(14, 10, 10)]);
-  core.nodes[9].support = core.nodes[10].support = 10;
+  core.nodes[9].support = core.nodes[10].support = 5;
   CHECK(supported_solid(kGrid, hull, votes, core) == hull);
 }
 

@@ -12,7 +12,7 @@ constexpr double kClear = 1.2;      // radii of the joint: beyond it a limb is a
 constexpr double kSpan = 1.5;       // radii of the joint: what tells where a limb points
 constexpr double kLeastSpan = 0.5;  // radii of the joint
 constexpr double kFarthest = 2.5;   // radii of the joint: how far it may go
-constexpr double kStay = 0.5;       // weight of the old place
+constexpr double kStay = 1;         // weight of the old place
 constexpr int kHalvings = 2;
 
 /// The end of a line at a joint; points are counted from there.

@@ -12,8 +12,6 @@ namespace {
 constexpr double kCornerSlope = 0.25;  // radii shrink by that, or more, into a corner
 constexpr double kStraight = 0.97;     // cosine of the least turn into a corner: 14 degrees
 constexpr double kBend = 0.6;          // radii that the line has begun to turn before it
-constexpr double kSameCorner = 0.8;    // cosine between ways into one corner: 37 degrees
-constexpr double kBack = -0.3;         // cosine to the limb's direction of ways back into it
 constexpr double kAlike = 0.75;  // another corner is at least that far, of the way into this one
 constexpr double kRoom = 3;      // radii: a way that long leads into another limb
 
@@ -37,18 +35,6 @@ std::size_t last_of_limb(const BranchLine& line) {
   return last;
 }
 
-/// The longest free way from a point, but for those back into the limb and those to where the line
-/// goes.
-double other_way(const LinePoint& p, const Vec3& limb, const Vec3& corner,
-                 const SurfaceProbe& probe) {
-  double longest = 0;
-  for (const Vec3& axis : fine_hemisphere_directions())
-    for (const Vec3& e : {axis, -axis})
-      if (dot(e, limb) >= kBack && dot(e, corner) <= kSameCorner)
-        longest = std::max(longest, probe.free_way(p.position, e));
-  return longest;
-}
-
 /// Whether the line turns from its point `i` into one corner where others are alike, and the limb
 /// goes nowhere.
 bool turns_into_corner(const BranchLine& line, std::size_t i, const SurfaceProbe& probe) {
@@ -61,11 +47,25 @@ bool turns_into_corner(const BranchLine& line, std::size_t i, const SurfaceProbe
   if (dot(corner, limb) > kStraight) return false;
   const double own = probe.free_way(p.position, corner), room = kRoom * p.radius;
   if (own > room) return false;
-  const double other = other_way(p, limb, corner, probe);
+  const double other = longest_way(p.position, limb, probe, corner).length;
   return other >= kAlike * own && other <= room;
 }
 
 }  // namespace
+
+Way longest_way(const Vec3& p, const Vec3& limb, const SurfaceProbe& probe,
+                const Vec3& apart_from) {
+  constexpr double kBack = -0.3;       // cosine to the limb's direction of ways back into it
+  constexpr double kSameCorner = 0.8;  // cosine between ways into one corner: 37 degrees
+  Way longest;
+  for (const Vec3& axis : fine_hemisphere_directions())
+    for (const Vec3& e : {axis, -axis}) {
+      if (dot(e, limb) < kBack || dot(e, apart_from) > kSameCorner) continue;
+      const double free = probe.free_way(p, e);
+      if (free > longest.length) longest = {e, free};
+    }
+  return longest;
+}
 
 void leave_corner(BranchLine& line, const SurfaceProbe& probe) {
   const std::size_t last = last_of_limb(line);

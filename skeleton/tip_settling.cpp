@@ -13,6 +13,8 @@ constexpr double kMostStep = 0.5;  // radii
 constexpr double kWidest = 1.3;    // times the radius at the start: it runs into the open
 constexpr double kThinnest = 0.5;  // times that radius: a toe, not the foot
 constexpr double kLeastCosine = 0.70710678118654752;  // of the turn from where the limb pointed
+constexpr double kAside = 2;     // radii: free way from the end of a limb that goes on
+constexpr double kAlone = 0.75;  // of that way: all others
 constexpr int kMostSteps = 40, kHalvings = 4;
 
 /// The way a limb points at one of its last points.
@@ -63,26 +65,42 @@ LinePoint next_place(const LinePoint& last, const Vec3& way, double step,
   return measured(place, probe, ahead.radius + std::min(far, most));
 }
 
-/// Adds points until the ball of the last one touches the end of the limb.
+/// Adds points until the ball of the last one touches the end of the limb; says whether it does.
 template <class IsTaken>
-void lengthen(BranchLine& line, const SurfaceProbe& probe, IsTaken is_taken) {
+bool lengthen(BranchLine& line, const SurfaceProbe& probe, IsTaken is_taken) {
   const double start = line.points.back().radius;
   const Vec3 limb = heading(line, line.size() - 1);
   for (int k = 0; k < kMostSteps; ++k) {
     const LinePoint last = line.points.back();
     const Vec3 way = heading(line, line.size() - 1);
-    if (way == Vec3{}) return;
+    if (way == Vec3{}) return false;
     const double left = gap(last, way, probe);
-    if (left > 1) return;  // into the open
-    if (left <= kGap * last.radius) return;
+    if (left > 1) return false;  // into the open
+    if (left <= kGap * last.radius) return true;
     const double step = std::min(kMostStep * last.radius, kApproach * left);
     const LinePoint next = next_place(last, way, step, probe);
     const Vec3 moved = next.position - last.position;
     const bool turns = dot(moved, limb) < kLeastCosine * length(moved);
     const bool is_odd = next.radius > kWidest * start || next.radius < kThinnest * start;
-    if (turns || is_odd || is_taken(next.position)) return;
+    if (turns || is_odd || is_taken(next.position)) return false;
     line.points.push_back(next);
   }
+  return false;
+}
+
+/// Where a limb goes on to one side of its end, round a bend, the line follows it to its end.
+template <class IsTaken>
+void turn_aside(BranchLine& line, const SurfaceProbe& probe, IsTaken is_taken) {
+  const LinePoint end = line.points.back();
+  const Vec3 limb = heading(line, line.size() - 1);
+  const Way aside = longest_way(end.position, limb, probe);
+  if (aside.length < kAside * end.radius || aside.length >= SurfaceProbe::kFar) return;
+  const Way other = longest_way(end.position, limb, probe, aside.direction);
+  if (other.length > kAlone * aside.length) return;  // a corner among others
+  const LinePoint next = next_place(end, aside.direction, kMostStep * end.radius, probe);
+  BranchLine longer{.points = {end, next}};
+  if (probe.is_blocked(end.position, next.position) || !lengthen(longer, probe, is_taken)) return;
+  line.points.insert(line.points.end(), longer.points.begin() + 1, longer.points.end());
 }
 
 /// Whether a place lies in a ball of a line.
@@ -112,6 +130,7 @@ void settle_tips(std::vector<BranchLine>& lines, const SurfaceProbe& probe) {
         leave_corner(line, probe);
         shorten(line, probe);
         lengthen(line, probe, is_taken);
+        turn_aside(line, probe, is_taken);
       }
       turn_round(line);
     }

@@ -202,6 +202,24 @@ TEST_CASE("a line follows a foot to its toes", "[refinement]") {
   CHECK(high == Approx(0.55).margin(0.04));
 }
 
+TEST_CASE("a line that stops at a bend goes on round it", "[refinement]") {
+  const auto bent = [](double t) {
+    const Vec3 p = t < 0.75 ? Vec3{0, 0, 2 - t * 8 / 3} : Vec3{t * 2 - 1.5, 0, 0};
+    return Ball{p, 0.15};
+  };
+  const Shape leg = make_tube(sample_curve(60, false, bent), 48);
+  const CurveSkeleton line = straight_line({0, 0, 1.8}, {0, 0, 0.1}, 30, 0.1);
+  const CurveSkeleton s = Stage(leg).recentred(line);
+  CHECK(fault_of(s).empty());
+  check_same_topology(s, line);
+  double high = 0;
+  for (const auto& n : s.nodes) {
+    high = std::max(high, n.position.x);
+    CHECK(n.radius > 0.1);
+  }
+  CHECK(high == Approx(0.5).margin(0.05));
+}
+
 TEST_CASE("walls inside the shape are no walls", "[refinement]") {
   Shape both = tube(-1, 0.1, 0.25);
   append(both, tube(-0.1, 1, 0.25));  // each has a cap within the other

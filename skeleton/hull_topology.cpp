@@ -19,11 +19,18 @@ namespace {
 constexpr double kLeastPart = 0.02;        // of the greatest part's sum of support
 constexpr std::uint16_t kVotedKey = 1000;  // above every depth in thirds of a voxel
 
-std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph) {
+/// The ends of the core as far as the solid holds them: where the very end of a limb has been left
+/// out, the limb still ends where it leaves the solid.
+std::vector<std::uint32_t> leaf_voxels(const VoteGraph& graph, const VoxelSet& solid) {
   const LiveGraph live(graph);
   std::vector<std::uint32_t> voxels;
-  for (NodeId n = 0; n < live.size(); ++n)
-    if (live.degree(n) <= 1) voxels.push_back(live.node(n).voxel);
+  for (NodeId leaf = 0; leaf < live.size(); ++leaf) {
+    if (live.degree(leaf) > 1) continue;
+    const std::vector<NodeId> branch = trace_leaf_branch(live, leaf).nodes;
+    const auto last = std::find_if(branch.begin(), branch.end(),
+                                   [&](NodeId n) { return solid[live.node(n).voxel]; });
+    if (last != branch.end()) voxels.push_back(live.node(*last).voxel);
+  }
   return voxels;
 }
 
@@ -132,7 +139,7 @@ VoxelSet thin_by_votes(const VoteGrid& votes, const VoxelSet& solid,
     while (vote->voxel < voxel) ++vote;
     key[place] = static_cast<std::uint16_t>(kVotedKey + vote->support);
   });
-  return thin(votes.grid, solid, key, leaf_voxels(core));
+  return thin(votes.grid, solid, key, leaf_voxels(core, solid));
 }
 
 VoteGraph graph_of(const VoteGrid& votes, const VoxelSet& solid,

@@ -152,6 +152,15 @@ TEST_CASE("thinning ends on the votes and at the core's leaves", "[hull_topology
   CHECK(line == expected);
 }
 
+TEST_CASE("a limb whose end the solid lacks ends where it leaves the solid", "[hull_topology]") {
+  VoxelSet bar = empty_set();
+  fill(bar, 6, 24, 7, 14, 7, 14);
+  const VoxelSet line = thinned({kGrid, {}}, bar, core_along_x(3, 28, 40));
+  CHECK(line[kGrid.index(6, 10, 10)]);
+  CHECK(line[kGrid.index(23, 10, 10)]);
+  CHECK(count(line) == 18);
+}
+
 TEST_CASE("a tunnel of the solid stays a cycle", "[hull_topology]") {
   VoxelSet ring = empty_set();
   fill(ring, 4, 26, 3, 17, 8, 12);

@@ -17,10 +17,12 @@ constexpr double kClear = 1.3;  // radii of a joint: from here on they are the l
 constexpr double kLeastHold = 0.02;  // of what the walls in a joint say
 constexpr double kLeafWeight = 4;    // along the line
 
-/// A point on its way, and how far it may go.
+/// A point on its way. It may go as far as the sections that it has seen are wide, or as its ball
+/// in the silhouettes.
 struct Travel {
   Vec3 start;
-  double leash = 0;
+  double width = 0;
+  Vec3 ball;  ///< the centre: where it was found
 };
 
 double tangent_reach(const LinePoint& p, const SurfaceProbe& probe) {
@@ -50,7 +52,7 @@ double aloneness(const BranchLine& line, std::size_t i) {
 
 /// What a point of a line is drawn by; sets its radius to what it sees. A point that sees its
 /// section may go to its middle.
-Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& leash) {
+Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double& width) {
   LinePoint& p = line.points[i];
   const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
   if (line.is_joint(i) || tangent == Vec3{})
@@ -58,7 +60,7 @@ Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double&
   const Walls walls = probe.walls_across(p.position, tangent);
   if (walls.count > 0) p.most = p.radius = walls.nearest;  // near enough, and sooner known
   const Section section = probe.section(p.position, tangent, walls, p.radius);
-  leash = std::max(leash, section.half_width);
+  width = std::max(width, section.half_width);
   const double along = line.is_leaf(i) ? kLeafWeight : 0;  // or the line would straighten there
   const Symmetric3 weight = section.weight + outer_square(tangent) * along;
   return {section.centre, weight * aloneness(line, i), stiffness_of(p, probe.diagonal())};
@@ -71,7 +73,7 @@ std::vector<Hold> holds_of(BranchLine& line, const SurfaceProbe& probe,
     if (line.is_joint(end)) measure(line.points[end], probe);
   std::vector<Hold> holds;
   for (std::size_t i = 0; i < line.size(); ++i)
-    holds.push_back(hold_of(line, i, probe, travels[i].leash));
+    holds.push_back(hold_of(line, i, probe, travels[i].width));
   return holds;
 }
 
@@ -81,8 +83,14 @@ Vec3 no_farther(const Vec3& from, const Vec3& to, double most) {
   return way <= most ? to : from + (to - from) * (most / way);
 }
 
+/// How far a point may go that wants to go so far; the silhouettes are asked where it matters.
+double leash_of(const Travel& travel, double way, const SurfaceProbe& probe) {
+  return way <= travel.width ? travel.width : std::max(travel.width, probe.hull(travel.ball));
+}
+
 void move(LinePoint& p, const Vec3& place, const Travel& travel, const SurfaceProbe& probe) {
-  const Vec3 to = no_farther(travel.start, place, travel.leash);
+  const double leash = leash_of(travel, distance(travel.start, place), probe);
+  const Vec3 to = no_farther(travel.start, place, leash);
   const double most = kMostStep * p.radius;
   const bool is_far = distance(p.position, to) > most && probe.is_blocked(p.position, to);
   const Vec3 reached = is_far ? no_farther(p.position, to, most) : to;
@@ -97,7 +105,7 @@ void bring_inside(LinePoint& p, Travel& travel, const SurfaceProbe& probe) {
   if (!inside) return;
   p.position = *inside;
   p.most = SurfaceProbe::kFar;
-  travel = {p.position, travel.leash};
+  travel.start = p.position;
 }
 
 }  // namespace
@@ -117,7 +125,7 @@ void recentre(std::vector<BranchLine>& lines, const SurfaceProbe& probe, int rou
   for (BranchLine& line : lines) {
     auto& of_line = travels.emplace_back();
     for (LinePoint& p : line.points) {
-      of_line.push_back({p.position, probe.hull(p.position)});
+      of_line.push_back({p.position, 0, p.position});
       bring_inside(p, of_line.back(), probe);
     }
   }

@@ -25,9 +25,11 @@ if(MARROW_SANITIZE)
 endif()
 if(MARROW_FUZZ)
   target_compile_definitions(marrow_options INTERFACE _GLIBCXX_ASSERTIONS)
+  # To trace every comparison was half the time of extract() and two thirds of that of STL, for no
+  # more edges reached: memcmp() is still traced, and words come from a dictionary.
   target_compile_options(marrow_options INTERFACE
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
-    -fno-omit-frame-pointer)
+    -fno-sanitize-coverage=trace-cmp -fno-omit-frame-pointer)
   target_link_options(marrow_options INTERFACE -fsanitize=address,undefined)
 endif()
 

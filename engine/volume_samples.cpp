@@ -91,10 +91,13 @@ template <class Number, std::endian order, class Test>
 void read_with(Volume& volume, bytes_detail::ByteStream& stream, const Source& source,
                const Test& test) {
   FlagWriter writer(volume);
-  std::vector<char> piece(kPiece);
+  const auto next = [&] {
+    return static_cast<std::size_t>(
+        std::min<std::uint64_t>(kPiece, writer.left() * sizeof(Number)));
+  };
+  std::vector<char> piece(next());
   while (writer.left() > 0) {
-    const auto want =
-        static_cast<std::size_t>(std::min<std::uint64_t>(kPiece, writer.left() * sizeof(Number)));
+    const std::size_t want = next();
     if (stream.read(std::span(piece).first(want)) < want)
       fail(ErrorKind::Malformed, source,
            "holds fewer values than it has voxels; " + std::to_string(writer.left()) +

@@ -105,9 +105,10 @@ std::size_t run_count(const Volume& volume) {
   for (int z = 0; z < volume.nz; ++z)
     for (int y = 0; y < volume.ny; ++y) {
       const Row row = volume.row(y, z);
-      for (std::size_t i = 0; i < row.size(); ++i)
-        count +=
-            static_cast<std::size_t>(std::popcount(row[i] & ~volume_detail::shifted_up(row, i)));
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const Word begins = row[i] & ~volume_detail::shifted_up(row, i);
+        if (begins != 0) count += static_cast<std::size_t>(std::popcount(begins));
+      }
     }
   return count;
 }
@@ -124,6 +125,7 @@ std::int64_t euler_number(const Volume& volume) {
       const Row a = rows(y, z), b = rows(y - 1, z), c = rows(y, z - 1), d = rows(y - 1, z - 1);
       Word before_a = 0, before_ab = 0, before_ac = 0, before_all = 0;  // the highest bits
       const auto count = [&](Word wa, Word ab, Word ac, Word all) {
+        if ((all | before_all) == 0) return;  // most of a volume is empty
         const Word at_a = wa | wa << 1 | before_a, at_ab = ab | ab << 1 | before_ab,
                    at_ac = ac | ac << 1 | before_ac, at_all = all | all << 1 | before_all;
         before_a = wa >> 63, before_ab = ab >> 63, before_ac = ac >> 63, before_all = all >> 63;

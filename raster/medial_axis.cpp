@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "thinning_detail.hpp"
+#include "medial_axis_maker_detail.hpp"
 
 namespace marrow {
 
@@ -19,13 +19,17 @@ MedialAxis::MedialAxis(const BitImage& axis, const DistanceMap& map) {
   }
 }
 
-MedialAxis medial_axis(const DistanceMap& map, double prune_pixels) {
-  ShrinkingSet set(map);
-  thin_to_medial_axis(set);
-  prune_end_branches(set, prune_pixels);
+MedialAxis MedialAxisMaker::operator()(const DistanceMap& map, double prune_pixels) {
+  set_.assign(map);
+  thin_to_medial_axis(set_, order_);
+  prune_end_branches(set_, prune_pixels);
   BitImage axis(map.width(), map.height());
-  for (const auto p : pixels(set)) axis.set(set.x_of(p), set.y_of(p));
+  for (const auto p : pixels(set_)) axis.set(set_.x_of(p), set_.y_of(p));
   return MedialAxis(axis, map);
+}
+
+MedialAxis medial_axis(const DistanceMap& map, double prune_pixels) {
+  return MedialAxisMaker()(map, prune_pixels);
 }
 
 BitImage to_image(const MedialAxis& axis, int side) {

@@ -154,7 +154,7 @@ void repeat_loose(std::vector<std::uint64_t>& words) {
 
 }  // namespace
 
-ShrinkingSet::ShrinkingSet(const DistanceMap& map) {
+void ShrinkingSet::assign(const DistanceMap& map) {
   const PixelBox box = support_of(map);
   left_ = box.left;
   top_ = box.top;
@@ -163,9 +163,9 @@ ShrinkingSet::ShrinkingSet(const DistanceMap& map) {
     step_[static_cast<std::size_t>(bit)] =
         static_cast<Pixel>(bit % 3 - 1 + 32 * words_per_row_ * (bit / 3 - 1));
   const std::ptrdiff_t rows = box.bottom - box.top + 2;  // with one above and one below
-  words_.resize(static_cast<std::size_t>(rows * words_per_row_));
-  not_deeper_.resize(32 * words_.size());
-  distance_.resize(32 * words_.size() + 2 * kMargin);
+  words_.assign(static_cast<std::size_t>(rows * words_per_row_), 0);
+  not_deeper_.resize(32 * words_.size());  // written where the set is
+  distance_.assign(32 * words_.size() + 2 * kMargin, 0);
   ChamferDistance* target = &distance_[kMargin] + 32 * words_per_row_;
   for (int y = box.top; y < box.bottom; ++y)
     for (int x = box.left; x < box.right; x += kPixels, target += 32)

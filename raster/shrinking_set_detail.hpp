@@ -22,8 +22,8 @@ class ShrinkingSet {
   /// Number of a pixel: 32 times its word plus its bit. Grows along rows and from row to row.
   using Pixel = std::uint32_t;
 
-  /// The support of `map`, where no distance is over 0x7fff.
-  explicit ShrinkingSet(const DistanceMap& map);
+  /// Becomes the support of `map`, where no distance is over 0x7fff.
+  void assign(const DistanceMap& map);
 
   int x_of(Pixel p) const {
     return left_ + static_cast<int>(p / 32 % words_per_row_) * kPixels + static_cast<int>(p % 32) -

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "fill_detail.hpp"
+#include "medial_axis_maker_detail.hpp"
+#include "spare_detail.hpp"
 
 namespace marrow {
 
@@ -66,18 +68,13 @@ PixelBox box_around(const BitImage& silhouette) {
 }
 
 /// What follows from a silhouette.
-ViewImage view_of(const ViewPlane& plane, BitImage silhouette) {
+ViewImage view_of(const ViewPlane& plane, BitImage silhouette, MedialAxisMaker& medial_axis) {
   ViewImage image{plane, std::move(silhouette), {}, {}, {}};
   image.distance = distance_transform(image.silhouette);
   image.axis = medial_axis(image.distance);
   const BitImage off_axis = complement(to_image(image.axis, image.silhouette.width()));
   image.to_axis = distance_transform(off_axis, box_around(image.silhouette));
   return image;
-}
-
-ViewImage draw_view(const NormalizedShape& shape, const ViewPlane& plane, int resolution,
-                    const SurfaceScene* scene) {
-  return view_of(plane, draw_silhouette(shape, plane, resolution, scene));
 }
 
 }  // namespace
@@ -97,8 +94,11 @@ StereoPair stereo_pair(const NormalizedShape& shape, const Vec3& direction) {
 
 StereoImages draw_stereo_images(const NormalizedShape& shape, const StereoPair& pair,
                                 int resolution, const SurfaceScene* scene) {
-  return {pair, draw_view(shape, pair.front(), resolution, scene),
-          draw_view(shape, pair.side(), resolution, scene)};
+  MedialAxisMaker medial_axis;
+  const auto draw = [&](const ViewPlane& plane) {
+    return view_of(plane, draw_silhouette(shape, plane, resolution, scene), medial_axis);
+  };
+  return {pair, draw(pair.front()), draw(pair.side())};
 }
 
 std::vector<StereoImages> draw_stereo_images(const NormalizedShape& shape,
@@ -109,9 +109,14 @@ std::vector<StereoImages> draw_stereo_images(const NormalizedShape& shape,
     planes.push_back(pair.front()), planes.push_back(pair.side());
   std::vector<BitImage> masks = draw_silhouettes(shape, planes, resolution, scene, for_each);
   std::vector<StereoImages> images(pairs.size());
+  Spare<MedialAxisMaker> makers;
   for_each(pairs.size(), [&](std::size_t i) {
-    images[i] = {pairs[i], view_of(planes[2 * i], std::move(masks[2 * i])),
-                 view_of(planes[2 * i + 1], std::move(masks[2 * i + 1]))};
+    makers.use([&](MedialAxisMaker& medial_axis) {
+      const auto view = [&](std::size_t k) {
+        return view_of(planes[k], std::move(masks[k]), medial_axis);
+      };
+      images[i] = {pairs[i], view(2 * i), view(2 * i + 1)};
+    });
   });
   return images;
 }

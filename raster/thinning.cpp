@@ -68,25 +68,26 @@ enum class Which { Loose, All };
 
 /// Pixels by distance, then by number.
 template <Which kWhich>
-std::vector<Pixel> by_distance(const ShrinkingSet& set) {
+std::span<const Pixel> by_distance(const ShrinkingSet& set, PixelOrder& order) {
   const auto bits_of_word = [&](std::size_t i) {
     return kWhich == Which::Loose ? set.loose_in_word(i) : set.in_word(i);
   };
   const auto pixel = [](std::size_t i, std::uint32_t bits) {
     return static_cast<Pixel>(32 * i) + static_cast<Pixel>(std::countr_zero(bits));
   };
-  std::vector<std::uint32_t> start(set.greatest_distance() + 2u, 0);
+  std::vector<std::uint32_t>& start = order.start;
+  start.assign(set.greatest_distance() + 2u, 0);
   for (std::size_t i = 0; i < set.word_count(); ++i)
     for (auto bits = bits_of_word(i); bits != 0; bits &= bits - 1)
       ++start[set.distance(pixel(i, bits)) + 1u];
   for (std::size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
-  std::vector<Pixel> order(start.back());
+  order.pixels.resize(start.back());
   for (std::size_t i = 0; i < set.word_count(); ++i)
     for (auto bits = bits_of_word(i); bits != 0; bits &= bits - 1) {
       const Pixel p = pixel(i, bits);
-      order[start[set.distance(p)]++] = p;
+      order.pixels[start[set.distance(p)]++] = p;
     }
-  return order;
+  return order.pixels;
 }
 
 /// Removes `p` if it is loose and simple, and then what was kept before and is simple now; what
@@ -119,12 +120,12 @@ void to_unit_width(ShrinkingSet& set, std::span<const Pixel> order) {
       if (set.contains(p) && (kProperties[set.around(p) & 0x1ff] & wanted) == wanted) set.remove(p);
 }
 
-void to_medial_axis(ShrinkingSet& set) {
+void to_medial_axis(ShrinkingSet& set, PixelOrder& order) {
   std::vector<Pixel> waiting;
-  for (const auto p : by_distance<Which::Loose>(set))
+  for (const auto p : by_distance<Which::Loose>(set, order))
     if (set.contains(p)) peel(set, p, waiting);
   // Centres lie two wide on even-width parts.
-  to_unit_width(set, by_distance<Which::All>(set));
+  to_unit_width(set, by_distance<Which::All>(set, order));
 }
 
 }  // namespace marrow::HWY_NAMESPACE
@@ -136,7 +137,9 @@ namespace marrow {
 HWY_EXPORT(to_medial_axis);
 HWY_EXPORT(to_unit_width);
 
-void thin_to_medial_axis(ShrinkingSet& set) { HWY_DYNAMIC_DISPATCH(to_medial_axis)(set); }
+void thin_to_medial_axis(ShrinkingSet& set, PixelOrder& order) {
+  HWY_DYNAMIC_DISPATCH(to_medial_axis)(set, order);
+}
 
 void thin_to_unit_width(ShrinkingSet& set, std::span<const ShrinkingSet::Pixel> order) {
   HWY_DYNAMIC_DISPATCH(to_unit_width)(set, order);

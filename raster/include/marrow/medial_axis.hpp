@@ -38,11 +38,13 @@ class MedialAxis {
   std::vector<MedialPixel> pixels_;
 };
 
+inline constexpr double kPrunePixels = 3;
+
 /// The medial axis: homotopic thinning in the order of the distances with the centres of maximal
 /// discs as anchors, brought to unit width, and end branches pruned that tell less than
 /// `prune_pixels` more of the silhouette than the disc where they begin. It has the topology of the
 /// silhouette (8 for the set, 4 for the background), which may touch the edge of the image.
-MedialAxis medial_axis(const DistanceMap& map, double prune_pixels = 3);
+MedialAxis medial_axis(const DistanceMap& map, double prune_pixels = kPrunePixels);
 
 /// The medial pixels as an image of `side` x `side`.
 BitImage to_image(const MedialAxis& axis, int side);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "heap.hpp"
 #include "process.hpp"
 
 namespace marrow {
@@ -80,6 +81,7 @@ int fail(ErrorKind kind, const char* words) {
 
 int main(int argc, char** argv) {
   using namespace marrow;
+  prepare_heap();
   prepare_process();
   try {
     run(argc, argv);

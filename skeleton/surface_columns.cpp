@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "surface_columns_detail.hpp"
 
@@ -112,19 +112,28 @@ class NearColumns {
   std::vector<std::uint64_t> corners_;  // their three cells, and the axes with columns around
 };
 
+/// The box of a triangle.
+struct Extent {
+  LatticePoint low, high;
+
+  explicit Extent(const LatticeTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(std::min(t[0][k], t[1][k]), t[2][k]);
+      high[k] = std::max(std::max(t[0][k], t[1][k]), t[2][k]);
+    }
+  }
+};
+
 /// The cells that a triangle lies in, seen along an axis.
 struct CellRange {
   int x0, x1, y0, y1;
 
-  CellRange(const LatticeTriangle& t, std::size_t axis, const ColumnCells& cells) {
-    const auto range = [&](std::size_t k) {
-      const std::int32_t a = t[0][k], b = t[1][k], c = t[2][k];
-      return std::pair(cells.of(std::min(std::min(a, b), c)),
-                       cells.of(std::max(std::max(a, b), c)));
-    };
-    std::tie(x0, x1) = range((axis + 1) % 3);
-    std::tie(y0, y1) = range((axis + 2) % 3);
-  }
+  CellRange(const Extent& extent, std::size_t axis, const ColumnCells& cells)
+      : x0(cells.of(extent.low[(axis + 1) % 3])),
+        x1(cells.of(extent.high[(axis + 1) % 3])),
+        y0(cells.of(extent.low[(axis + 2) % 3])),
+        y1(cells.of(extent.high[(axis + 2) % 3])) {}
+
   bool is_small() const { return x1 - x0 < kWidest && y1 - y0 < kWidest; }
 };
 
@@ -194,17 +203,23 @@ void SurfaceColumns::gather_triangles() {
 
 void SurfaceColumns::add(const LatticeTriangle& triangle, unsigned axes) {
   const auto number = static_cast<std::uint32_t>(triangles_.size());
+  const Extent extent(triangle);
+  const auto at = [](std::int32_t coordinate) {
+    return static_cast<std::int16_t>(coordinate >> Box::kShift);
+  };
   bool is_anywhere = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if ((axes >> axis & 1) == 0) continue;
     auto level = levels_.begin();
-    CellRange range(triangle, axis, level->cells);
-    while (!range.is_small()) range = CellRange(triangle, axis, (++level)->cells);
+    CellRange range(extent, axis, level->cells);
+    while (!range.is_small()) range = CellRange(extent, axis, (++level)->cells);
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Box box{at(extent.low[u]), at(extent.high[u]), at(extent.low[v]), at(extent.high[v])};
     for (int y = range.y0; y <= range.y1; ++y)
       for (int x = range.x0; x <= range.x1; ++x) {
         const std::size_t cell = level->cells.index(x, y);
         if (level->fresh[axis][cell] == 0) continue;
-        level->entries[axis].push_back({static_cast<std::uint32_t>(cell), number});
+        level->entries[axis].push_back({static_cast<std::uint32_t>(cell), {box, number}});
         is_anywhere = true;
       }
   }
@@ -222,14 +237,21 @@ void SurfaceColumns::Level::fill(std::size_t axis, const Mask& wanted) {
 }
 
 void SurfaceColumns::Level::sort(std::size_t axis) {
-  auto& list = triangle[axis];
-  list.resize(entries[axis].size());
-  if (list.empty()) return;  // and no start is looked at
-  // Ends first, counted down to the starts.
-  start[axis].assign(cells.all() + 1, 0);
-  for (const auto& e : entries[axis]) ++start[axis][e.cell];
-  std::partial_sum(start[axis].begin(), start[axis].end(), start[axis].begin());
-  for (const auto& e : entries[axis]) list[--start[axis][e.cell]] = e.triangle;
+  auto& parts = part[axis];
+  parts.resize(cells.all());
+  for (const auto& e : entries[axis])
+    ++parts[e.cell].end;  // fresh cells: a number until they begin
+  auto next = static_cast<std::uint32_t>(list[axis].size());
+  list[axis].resize(next + entries[axis].size());
+  for (const auto& e : entries[axis]) {
+    Part& p = parts[e.cell];
+    if (p.first == Part::kNowhere) {
+      p.first = next;
+      next += std::exchange(p.end, next);
+    }
+    list[axis][p.end++] = e.listed;
+  }
+  entries[axis].clear();
 }
 
 }  // namespace marrow

@@ -47,31 +47,59 @@ class SurfaceColumns {
   void for_each_near(const LatticePoint& p, std::size_t axis, Visit visit) const {
     const std::int32_t u = p[(axis + 1) % 3], v = p[(axis + 2) % 3];
     for (const auto& level : levels_) {
-      if (level.triangle[axis].empty()) continue;
+      const auto& list = level.list[axis];
+      if (list.empty()) continue;
       const std::size_t cell = level.cells.index(level.cells.of(u), level.cells.of(v));
-      const auto& start = level.start[axis];
-      for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i)
-        visit(triangles_[level.triangle[axis][i]]);
+      const auto [first, end] = level.part[axis][cell];
+      for (std::uint32_t i = first; i < end; ++i)
+        if (list[i].box.may_hold(u, v)) visit(triangles_[list[i].triangle]);
     }
   }
 
  private:
   using Mask = std::vector<std::uint8_t>;  // over the cells across one axis
 
+  /// What a triangle covers seen along an axis, in coarser steps.
+  struct Box {
+    std::int16_t low_u = 0, high_u = 0, low_v = 0, high_v = 0;
+
+    bool may_hold(std::int32_t u, std::int32_t v) const {
+      u >>= kShift, v >>= kShift;
+      return ((u - low_u) | (high_u - u) | (v - low_v) | (high_v - v)) >= 0;
+    }
+
+    static constexpr int kShift = 4;
+  };
+
+  /// Most triangles of a column do not meet the line, and their boxes tell: these lie side by side.
+  struct Listed {
+    Box box;
+    std::uint32_t triangle = 0;
+  };
+
   struct Entry {
-    std::uint32_t cell, triangle;
+    std::uint32_t cell;
+    Listed listed;
+  };
+
+  /// Part of a list.
+  struct Part {
+    std::uint32_t first = kNowhere, end = 0;
+
+    static constexpr std::uint32_t kNowhere = ~0u;
   };
 
   /// Triangles of about the size of its cells, and smaller ones in the finest.
   struct Level {
     ColumnCells cells;
-    std::array<Mask, 3> filled, fresh;                          // of these, what was not before
-    std::array<std::vector<Entry>, 3> entries;                  // in the order they came
-    std::array<std::vector<std::uint32_t>, 3> start, triangle;  // lists of all cells, end to end
+    std::array<Mask, 3> filled, fresh;          // of these, what was not before
+    std::array<std::vector<Entry>, 3> entries;  // of the fresh cells
+    std::array<std::vector<Part>, 3> part;      // of the list, for every cell
+    std::array<std::vector<Listed>, 3> list;
 
     /// Adds cells to the filled ones.
     void fill(std::size_t axis, const Mask& wanted);
-    /// Brings the entries into lists.
+    /// Brings the entries to the end of the list.
     void sort(std::size_t axis);
   };
 

@@ -21,6 +21,7 @@ MedialAxis::MedialAxis(const BitImage& axis, const DistanceMap& map) {
 
 MedialAxis MedialAxisMaker::operator()(const DistanceMap& map, double prune_pixels) {
   set_.assign(map);
+  remove_sure(set_, doubtful_);
   thin_to_medial_axis(set_, order_);
   prune_end_branches(set_, prune_pixels);
   BitImage axis(map.width(), map.height());

@@ -3,6 +3,7 @@
 
 #include <marrow/medial_axis.hpp>
 
+#include "sure_removal_detail.hpp"
 #include "thinning_detail.hpp"
 
 namespace marrow {
@@ -14,6 +15,7 @@ class MedialAxisMaker {
 
  private:
   ShrinkingSet set_;
+  DoubtfulPixels doubtful_;
   PixelOrder order_;
 };
 

@@ -9,6 +9,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "mask_bits_inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace marrow::HWY_NAMESPACE {
 
@@ -16,15 +18,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<std::int16_t, 32>;
 using Distances = hn::Vec<Tag>;
-
-/// A bit for every lane.
-HWY_INLINE std::uint64_t bits_of(hn::Mask<Tag> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Tag(), mask, bytes);
-  std::uint64_t bits = 0;
-  for (unsigned i = 0; i < 8; ++i) bits |= std::uint64_t{bytes[i]} << 8 * i;
-  return bits;
-}
 
 /// What the eight neighbours of some pixels say: the greatest distances, and which are deeper.
 struct Neighbours {
@@ -69,8 +62,8 @@ HWY_INLINE std::uint64_t classify(const std::int16_t* distance, std::ptrdiff_t s
     const Distances least = label(n.centre);
     const auto is_centre = hn::And(hn::Lt(n.beside, hn::Add(least, hn::Set(d, 3))),
                                    hn::Lt(n.diagonal, hn::Add(least, hn::Set(d, 4))));
-    set |= bits_of(hn::Gt(n.centre, hn::Zero(d))) << i;
-    centres |= bits_of(is_centre) << i;
+    set |= std::uint64_t{bits_of(d, hn::Gt(n.centre, hn::Zero(d)))} << i;
+    centres |= std::uint64_t{bits_of(d, is_centre)} << i;
   }
   return set | (set & ~centres) << 32;
 }

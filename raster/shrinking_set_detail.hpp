@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace marrow {
@@ -73,6 +74,15 @@ class ShrinkingSet {
   }
   std::size_t word_count() const { return words_.size(); }
   ChamferDistance greatest_distance() const { return greatest_distance_; }
+
+  /// For work on whole words, which must leave the outermost bits right.
+  std::span<std::uint64_t> words() { return words_; }
+  std::span<const std::uint64_t> words() const { return words_; }
+  std::ptrdiff_t words_per_row() const { return words_per_row_; }
+  /// Those of bits 0 to 31 of word `i`; rows of words are 32 * words_per_row() apart.
+  const ChamferDistance* distances_of_word(std::size_t i) const {
+    return &distance_[kMargin] + 32 * i;
+  }
 
  private:
   static constexpr int kPixels = 30;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "catch.hpp"
@@ -9,6 +10,8 @@
 #include "random.hpp"
 #include "scale.hpp"
 #include "simd_targets.hpp"
+#include "sure_removal_detail.hpp"
+#include "thinning_detail.hpp"
 
 using namespace marrow;
 using namespace marrow::test;
@@ -55,6 +58,25 @@ BitImage random_blob(Random& random, int size, int margin) {
     image(x, y) ? image.clear(x, y) : image.set(x, y);
   }
   return image;
+}
+
+/// A ring, turned and bent: wide and smooth.
+BitImage fat_blob(Random& random, int size) {
+  const double middle = 0.5 * size, a = random.between(0.3, 0.45) * size,
+               b = random.between(0.3, 0.45) * size, hole = random.between(0, 0.5);
+  const Frame f = random.frame();
+  return draw(size, size, [&](int x, int y) {
+    const double u = (f.x.x * (x - middle) + f.x.y * (y - middle)) / a,
+                 v = (f.y.x * (x - middle) + f.y.y * (y - middle)) / b, r = u * u + v * v;
+    return r <= 1 && r >= hole * hole;
+  });
+}
+
+std::size_t loose_count(const ShrinkingSet& set) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < set.word_count(); ++i)
+    count += static_cast<std::size_t>(std::popcount(set.loose_in_word(i)));
+  return count;
 }
 
 bool is_set(const BitImage& image, int x, int y) { return image.contains(x, y) && image(x, y); }
@@ -329,6 +351,42 @@ TEST_CASE("medial axis: the same as pixel by pixel, on every instruction set") {
       }
     }
   });
+}
+
+TEST_CASE("medial axis: what goes for sure may go at once, also where little does") {
+  on_each_simd_target([] {
+    Random random(7);
+    std::size_t loose = 0, sure = 0;
+    for (int i = 0; i < scaled(300, 80); ++i) {
+      INFO("blob " << i);
+      const DistanceMap map = distance_transform(i % 3 == 0 ? fat_blob(random, 60 + i % 90)
+                                                            : random_blob(random, 20 + i % 110, 0));
+      ShrinkingSet plain, sooner;
+      plain.assign(map), sooner.assign(map);
+      DoubtfulPixels room;
+      const std::size_t before = loose_count(sooner);
+      remove_sure(sooner, room, 1);
+      loose += before, sure += before - loose_count(sooner);
+      PixelOrder order;
+      thin_to_medial_axis(plain, order), thin_to_medial_axis(sooner, order);
+      CHECK(pixels(plain) == pixels(sooner));
+    }
+    CHECK(sure > loose / 4);
+  });
+}
+
+TEST_CASE("medial axis: most of a fat part goes at once, nothing of a ragged one") {
+  Random random(8);
+  DoubtfulPixels room;
+  const auto sure_of = [&](const BitImage& silhouette) {
+    ShrinkingSet set;
+    set.assign(distance_transform(silhouette));
+    const auto before = static_cast<double>(loose_count(set));
+    remove_sure(set, room);
+    return 1 - static_cast<double>(loose_count(set)) / before;
+  };
+  CHECK(sure_of(fat_blob(random, 150)) > 0.5);
+  CHECK(sure_of(random_blob(random, 60, 0)) == 0);
 }
 
 TEST_CASE("medial axis: the same as pixel by pixel where all is border") {

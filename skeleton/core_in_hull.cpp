@@ -85,7 +85,7 @@ void join_parts(const VoxelGrid& grid, VoxelSet& hull, const LiveGraph& core,
 
 }  // namespace
 
-void add_core(const VoxelGrid& grid, VoxelSet& hull, const VoteGraph& core) {
+void add_core(const VoxelGrid& grid, VoxelSet& hull, const VoteGraph& core, HullOf of) {
   const LiveGraph live(core);
   const VoxelSet before = hull;
   std::vector<std::uint8_t> seen(live.size(), 0);
@@ -95,7 +95,7 @@ void add_core(const VoxelGrid& grid, VoxelSet& hull, const VoteGraph& core) {
     OutsideRun run = outside_run(live, before, n, seen);
     if (!run.is_doubtful_bridge())
       add(hull, live, run);
-    else if (run.has_support(kLoneSupport))
+    else if (of == HullOf::Samples && run.has_support(kLoneSupport))
       doubtful.push_back(std::move(run));
   }
   join_parts(grid, hull, live, std::move(doubtful));

@@ -295,7 +295,8 @@ VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, cons
   // In place of 4.4.3: the topology of the visual hull.
   record.begin("hull topology", 0.72);
   const VoxelSet solid = record.keep(
-      &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph));
+      &Trace::solid, supported_solid(grid, solid_hull(shape, views, grid, graph), votes, graph,
+                                     shape.is_point_cloud() ? HullOf::Samples : HullOf::Body));
   graph = record.keep(&Trace::thinned, thinned_graph(shape, votes, solid, graph, pixel));
 
   // 4.4.2: branch collapse, and what the surface says of cycles.

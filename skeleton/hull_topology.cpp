@@ -114,8 +114,8 @@ std::vector<VoteGraph::Node> nodes_of(const VoteGrid& votes, const VoxelSet& sol
 }  // namespace
 
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
-                         const VoteGraph& core) {
-  add_core(grid, hull, core);
+                         const VoteGraph& core, HullOf of) {
+  add_core(grid, hull, core, of);
   const RunParts parts = run_parts(hull);
   const std::vector<long> sums = support_of_parts(grid, parts, votes.votes);
   const long greatest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());

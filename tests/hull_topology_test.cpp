@@ -85,11 +85,17 @@ TEST_CASE("the core joins the hull, but for a weak bridge", "[hull_topology]") {
   CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 25)) == hull);
 }
 
-TEST_CASE("half of the images are enough for a bridge that alone joins two parts",
+TEST_CASE("half of the images are enough for a bridge that alone joins two parts of samples",
           "[hull_topology]") {
-  const auto [hull, votes] = two_blocks();
-  CHECK(count(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 21))) == count(hull) + 4);
-  CHECK(supported_solid(kGrid, hull, votes, core_along_x(6, 24, 20)) == hull);
+  const Blocks blocks = two_blocks();
+  const VoxelSet& hull = blocks.hull;
+  const VoteGrid& votes = blocks.votes;
+  const auto solid = [&](int support, HullOf of) {
+    return supported_solid(kGrid, hull, votes, core_along_x(6, 24, support), of);
+  };
+  CHECK(count(solid(21, HullOf::Samples)) == count(hull) + 4);
+  CHECK(solid(20, HullOf::Samples) == hull);
+  CHECK(solid(25, HullOf::Body) == hull);
   // Of two, the better one joins them, and the other then welds them.
   VoteGraph both = core_along_x(6, 24, 22);
   const VoteGraph better = core_along_x(6, 24, 25);
@@ -99,7 +105,7 @@ TEST_CASE("half of the images are enough for a bridge that alone joins two parts
     both.nodes.push_back(node);
   }
   for (const auto& [a, b] : better.edges) both.edges.push_back({a + first, b + first});
-  const VoxelSet joined = supported_solid(kGrid, hull, votes, both);
+  const VoxelSet joined = supported_solid(kGrid, hull, votes, both, HullOf::Samples);
   CHECK(joined[kGrid.index(15, 12, 10)]);
   CHECK_FALSE(joined[kGrid.index(15, 10, 10)]);
 }

@@ -8,11 +8,15 @@
 
 namespace marrow {
 
+/// What a hull is of. One of samples has gaps where these are sparse.
+enum class HullOf { Body, Samples };
+
 /// The solid that is thinned: the hull and the voxels of the pruned tree, but for pieces of the
-/// tree that bridge two places of the hull with a mean support under 26 of 42; without the parts
-/// that have less than 2 % of the greatest part's support.
+/// tree that bridge two places of the hull with a mean support under 26 of 42 (of samples: under 21
+/// where nothing else joins these places); without the parts that have less than 2 % of the
+/// greatest part's support.
 VoxelSet supported_solid(const VoxelGrid& grid, VoxelSet hull, const VoteGrid& votes,
-                         const VoteGraph& core);
+                         const VoteGraph& core, HullOf of = HullOf::Body);
 
 /// Thins the solid, unvoted voxels first by depth, then voted ones by support, with the leaves of
 /// `core` as anchors. What is left has the components, cycles and connections of the solid. `depth`

@@ -45,11 +45,8 @@ Vec3 unit_of(const Vec3& direction, std::size_t number) {
   return normalized(direction / most);
 }
 
-}  // namespace
-
-std::span<const Vec3> hemisphere_directions() { return kDirections; }
-
-std::vector<Vec3> fine_hemisphere_directions() {
+/// The vertices of the once subdivided icosahedron and the middles of its edges, one of each pair.
+std::vector<Vec3> subdivided() {
   std::vector<Vec3> vertices(kDirections.begin(), kDirections.end()), directions = vertices;
   for (const Vec3& v : kDirections) vertices.push_back(-v);
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -58,6 +55,15 @@ std::vector<Vec3> fine_hemisphere_directions() {
       if (dot(vertices[i], vertices[j]) > kEdge && is_upper(middle))
         directions.push_back(normalized(middle));
     }
+  return directions;
+}
+
+}  // namespace
+
+std::span<const Vec3> hemisphere_directions() { return kDirections; }
+
+std::span<const Vec3> fine_hemisphere_directions() {
+  static const std::vector<Vec3> directions = subdivided();
   return directions;
 }
 

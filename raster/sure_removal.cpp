@@ -147,8 +147,8 @@ namespace marrow {
 
 HWY_EXPORT(find_doubtful);
 
-void remove_sure(ShrinkingSet& set, DoubtfulPixels& room, int plain) {
-  if (!HWY_DYNAMIC_DISPATCH(find_doubtful)(set, room, plain)) return;
+void remove_sure(ShrinkingSet& set, DoubtfulPixels& room, int share) {
+  if (!HWY_DYNAMIC_DISPATCH(find_doubtful)(set, room, share)) return;
   for (std::size_t i = 0; i < room.bits.size(); ++i) {
     std::uint64_t& word = set.words()[i];
     const std::uint64_t sure = word >> 32 & ~room.bits[i];

@@ -28,8 +28,8 @@ struct DoubtfulPixels {
 
 /// Removes at once most of what thin_to_medial_axis() would remove in whatever order the pixels of
 /// one distance come; the rest is thinned as it would have been. Takes a set of which nothing has
-/// been removed. Where more than one loose pixel in `plain` is doubtful by itself, nearly all
+/// been removed. Where more than one loose pixel in `share` is doubtful by itself, nearly all
 /// become so, and nothing is done. `room` is memory that is used again.
-void remove_sure(ShrinkingSet& set, DoubtfulPixels& room, int plain = 128);
+void remove_sure(ShrinkingSet& set, DoubtfulPixels& room, int share = 128);
 
 }  // namespace marrow

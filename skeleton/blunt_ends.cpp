@@ -1,6 +1,3 @@
-#include <marrow/view.hpp>
-
-#include <algorithm>
 #include <vector>
 
 #include "recentring_detail.hpp"
@@ -39,33 +36,19 @@ std::size_t last_of_limb(const BranchLine& line) {
 /// goes nowhere.
 bool turns_into_corner(const BranchLine& line, std::size_t i, const SurfaceProbe& probe) {
   const LinePoint& p = line.points[i];
-  const Vec3 along = p.position - place_along(line, i, p.radius, false);
+  const Vec3 limb = heading_at(line, i, p.radius);
   const Vec3 out = line.points.back().position - p.position;
-  const double reach = length(along), depth = length(out);
-  if (reach == 0 || depth == 0) return false;
-  const Vec3 limb = along / reach, corner = out / depth;
+  const double depth = length(out);
+  if (limb == Vec3{} || depth == 0) return false;
+  const Vec3 corner = out / depth;
   if (dot(corner, limb) > kStraight) return false;
   const double own = probe.free_way(p.position, corner), room = kRoom * p.radius;
   if (own > room) return false;
-  const double other = longest_way(p.position, limb, probe, corner).length;
+  const double other = longest(probe.free_ways(p.position, limb), corner).length;
   return other >= kAlike * own && other <= room;
 }
 
 }  // namespace
-
-Way longest_way(const Vec3& p, const Vec3& limb, const SurfaceProbe& probe,
-                const Vec3& apart_from) {
-  constexpr double kBack = -0.3;       // cosine to the limb's direction of ways back into it
-  constexpr double kSameCorner = 0.8;  // cosine between ways into one corner: 37 degrees
-  Way longest;
-  for (const Vec3& axis : fine_hemisphere_directions())
-    for (const Vec3& e : {axis, -axis}) {
-      if (dot(e, limb) < kBack || dot(e, apart_from) > kSameCorner) continue;
-      const double free = probe.free_way(p, e);
-      if (free > longest.length) longest = {e, free};
-    }
-  return longest;
-}
 
 void leave_corner(BranchLine& line, const SurfaceProbe& probe) {
   const std::size_t last = last_of_limb(line);

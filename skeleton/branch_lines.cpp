@@ -86,6 +86,12 @@ Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwa
   return line.points[i].position;
 }
 
+Vec3 heading_at(const BranchLine& line, std::size_t i, double reach) {
+  const Vec3 way = line.points[i].position - place_along(line, i, reach, false);
+  const double long_way = length(way);
+  return long_way > 0 ? way / long_way : Vec3{};
+}
+
 Vec3 tangent_at(const BranchLine& line, std::size_t i, double reach) {
   const Vec3 chord = place_along(line, i, reach, true) - place_along(line, i, reach, false);
   const double long_enough = length(chord);

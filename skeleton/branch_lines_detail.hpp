@@ -49,6 +49,10 @@ BranchLine resampled(const BranchLine& line, double radii, double least, double 
 /// The place `reach` away from point `i` along the line, as far as the line goes.
 Vec3 place_along(const BranchLine& line, std::size_t i, double reach, bool forwards);
 
+/// Unit vector of the way that led to a point: the chord over `reach` behind it. Zero where the
+/// line has no length there.
+Vec3 heading_at(const BranchLine& line, std::size_t i, double reach);
+
 /// Unit vector along the line at a point: the chord over `reach` to either side, as far as the line
 /// goes. Zero where the line has no length.
 Vec3 tangent_at(const BranchLine& line, std::size_t i, double reach);

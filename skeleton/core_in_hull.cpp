@@ -48,13 +48,11 @@ void add(VoxelSet& hull, const LiveGraph& core, const OutsideRun& run) {
 /// Which part a voxel lies in, if any.
 std::optional<std::uint32_t> part_at(const VoxelGrid& grid, const RunParts& parts,
                                      std::uint32_t voxel) {
-  const auto width = static_cast<std::uint32_t>(grid.nx);
-  const std::uint32_t row = voxel / width;
-  const auto x = static_cast<int>(voxel % width);
-  const auto ends_before = [&](const VoxelRun& run, std::uint32_t) {
-    return run.row < row || (run.row == row && run.end <= x);
-  };
-  const auto found = std::lower_bound(parts.runs.begin(), parts.runs.end(), voxel, ends_before);
+  const std::uint32_t row = voxel / static_cast<std::uint32_t>(grid.nx);
+  const int x = grid.x_of(voxel);
+  const auto found = std::partition_point(
+      parts.runs.begin(), parts.runs.end(),
+      [&](const VoxelRun& run) { return run.row < row || (run.row == row && run.end <= x); });
   if (found == parts.runs.end() || found->row != row || found->first > x) return {};
   return parts.part[static_cast<std::size_t>(found - parts.runs.begin())];
 }

@@ -130,8 +130,8 @@ std::vector<Vec3> view_directions(const Normalization& frame, const ExtractOptio
     for (Vec3& d : directions) d = to_frame(frame.axes, d);
     return directions;
   }
-  if (options.views == 81) return fine_hemisphere_directions();
-  const auto directions = hemisphere_directions();
+  const auto directions =
+      options.views == 81 ? fine_hemisphere_directions() : hemisphere_directions();
   return {directions.begin(), directions.end()};
 }
 

@@ -25,17 +25,6 @@ void measure(BranchLine& line, const SurfaceProbe& probe);
 /// Adds points where an edge runs through a wall, pulled into the shape.
 void mend_edges(BranchLine& line, const SurfaceProbe& probe);
 
-/// A free way from a point to the surface.
-struct Way {
-  Vec3 direction;
-  double length = 0;
-};
-
-/// The longest of 162 ways but for those back into a limb that points along `limb`, and those close
-/// to the unit vector `apart_from`.
-Way longest_way(const Vec3& p, const Vec3& limb, const SurfaceProbe& probe,
-                const Vec3& apart_from = {});
-
 /// A leaf at the end of the line that has run into one of several corners of a blunt end, such as a
 /// foot, goes back to where the limb is whole: which corner it was is chance.
 void leave_corner(BranchLine& line, const SurfaceProbe& probe);

@@ -10,8 +10,13 @@ constexpr int kTipSupport = kImages / 2;
 constexpr double kVoxelsBeyond = 2;
 constexpr double kDetour = 2;  // along a hook, times across
 
+/// How far from its leaf a branch is still its end.
+double reach_of_end(const LiveGraph& graph, const LeafBranch& branch, double voxel) {
+  return graph.node(branch.leaf()).radius + kVoxelsBeyond * voxel;
+}
+
 void trim_branch(LiveGraph& graph, const LeafBranch& branch, double voxel) {
-  const double most = graph.node(branch.leaf()).radius + kVoxelsBeyond * voxel;
+  const double most = reach_of_end(graph, branch, voxel);
   double trimmed = 0;
   for (std::size_t i = 0; i + 1 < branch.nodes.size(); ++i) {
     if (graph.node(branch.nodes[i]).support >= kTipSupport) return;
@@ -66,9 +71,10 @@ bool runs_into_rest(const LiveGraph& graph, const LeafBranch& branch, std::size_
 
 void cut_hook(LiveGraph& graph, const LeafBranch& branch, double voxel) {
   const std::size_t passed = place_passed_twice(graph, branch, voxel);
-  const std::size_t turn = passed > 0 ? turn_before(graph, branch, passed) : 0;
-  const double unit = graph.node(branch.leaf()).radius + kVoxelsBeyond * voxel;
-  if (graph.length(branch.leaf(), branch.nodes[turn]) < unit) return;  // an end that bends
+  if (passed == 0) return;
+  const std::size_t turn = turn_before(graph, branch, passed);
+  const double depth = graph.length(branch.leaf(), branch.nodes[turn]);
+  if (depth < reach_of_end(graph, branch, voxel)) return;  // an end that bends
   for (std::size_t i = 0; i < turn; ++i)
     if (!runs_into_rest(graph, branch, i, turn, voxel)) return;
   for (std::size_t i = 0; i < turn; ++i) graph.remove_node(branch.nodes[i]);

@@ -1,3 +1,5 @@
+#include <marrow/view.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +20,8 @@ constexpr double kAlong = 0.1;       // weight of a point along the line
 constexpr double kLeast = 1e-3;      // weight in every direction
 constexpr double kUntold = 0.02;     // weight where too few walls are seen
 constexpr double kThinWall = 0.06;   // of the diagonal: two walls with a limb between them
+constexpr double kBack = -0.3;       // cosine to where a limb points of ways back into it
+constexpr double kSameWay = 0.8;     // cosine between two ways that are one
 constexpr double kRounding = 1e-9;   // of sums of distances, relative
 constexpr double kRootHalf = 0.70710678118654752;
 
@@ -71,6 +75,13 @@ bool runs_through_itself(const SurfaceScene& surface, std::span<const Vec3> samp
 }
 
 }  // namespace
+
+Way longest(std::span<const Way> ways, const Vec3& apart_from) {
+  Way longest;
+  for (const Way& way : ways)
+    if (dot(way.direction, apart_from) <= kSameWay && way.length > longest.length) longest = way;
+  return longest;
+}
 
 SurfaceProbe::SurfaceProbe(const RefinementInput& input, std::span<const Vec3> samples)
     : input_(input),
@@ -170,6 +181,14 @@ double SurfaceProbe::ahead(const Vec3& p, const Vec3& direction) const {
 double SurfaceProbe::free_way(const Vec3& p, const Vec3& direction) const {
   const auto hit = wall(p, direction);
   return hit ? hit->distance : kFar;
+}
+
+std::vector<Way> SurfaceProbe::free_ways(const Vec3& p, const Vec3& limb) const {
+  std::vector<Way> ways;
+  for (const Vec3& line : fine_hemisphere_directions())
+    for (const Vec3& e : {line, -line})
+      if (dot(e, limb) >= kBack) ways.push_back({e, free_way(p, e)});
+  return ways;
 }
 
 bool SurfaceProbe::is_outside(const Vec3& p) const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "symmetric3_detail.hpp"
 
@@ -30,6 +31,16 @@ struct Section {
   double half_width = 0;  ///< median over the directions; 0: too few walls
 };
 
+/// A free way from a point to the surface.
+struct Way {
+  Vec3 direction;
+  double length = 0;
+};
+
+/// The longest of them but for those within 37 degrees of the unit vector `apart_from`; none has no
+/// length.
+Way longest(std::span<const Way> ways, const Vec3& apart_from = {});
+
 class SurfaceProbe {
  public:
   static constexpr double kFar = 4;  ///< beyond everything: the shape lies in the unit ball
@@ -52,6 +63,8 @@ class SurfaceProbe {
   }
   /// Way to the first wall in a direction; kFar without one.
   double free_way(const Vec3& p, const Vec3& direction) const;
+  /// Up to 162 ways, all around but for those back into a limb that points along `limb`.
+  std::vector<Way> free_ways(const Vec3& p, const Vec3& limb) const;
   /// Way to the wall straight ahead: the median of a cone of rays.
   double ahead(const Vec3& p, const Vec3& direction) const;
   bool is_outside(const Vec3& p) const;

@@ -19,10 +19,7 @@ constexpr int kMostSteps = 40, kHalvings = 4;
 
 /// The way a limb points at one of its last points.
 Vec3 heading(const BranchLine& line, std::size_t i) {
-  const Vec3 way =
-      line.points[i].position - place_along(line, i, std::max(line.points[i].radius, 1e-3), false);
-  const double long_way = length(way);
-  return long_way > 0 ? way / long_way : Vec3{};
+  return heading_at(line, i, std::max(line.points[i].radius, 1e-3));
 }
 
 /// From the ball of a point to the wall ahead.
@@ -93,10 +90,10 @@ template <class IsTaken>
 void turn_aside(BranchLine& line, const SurfaceProbe& probe, IsTaken is_taken) {
   const LinePoint end = line.points.back();
   const Vec3 limb = heading(line, line.size() - 1);
-  const Way aside = longest_way(end.position, limb, probe);
+  const std::vector<Way> ways = probe.free_ways(end.position, limb);
+  const Way aside = longest(ways);
   if (aside.length < kAside * end.radius || aside.length >= SurfaceProbe::kFar) return;
-  const Way other = longest_way(end.position, limb, probe, aside.direction);
-  if (other.length > kAlone * aside.length) return;  // a corner among others
+  if (longest(ways, aside.direction).length > kAlone * aside.length) return;  // one of corners
   const LinePoint next = next_place(end, aside.direction, kMostStep * end.radius, probe);
   BranchLine longer{.points = {end, next}};
   if (probe.is_blocked(end.position, next.position) || !lengthen(longer, probe, is_taken)) return;

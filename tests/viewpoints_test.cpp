@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
 }  // namespace
 
 TEST_CASE("81 directions: the 21 and 60 more, spread evenly", "[views]") {
-  const std::vector<Vec3> fine = fine_hemisphere_directions();
+  const std::span<const Vec3> fine = fine_hemisphere_directions();
   REQUIRE(fine.size() == 81);
   CHECK(std::equal(fine.begin(), fine.begin() + 21, hemisphere_directions().begin()));
   CHECK(distinct_directions(fine).size() == 81);

@@ -13,7 +13,7 @@ namespace marrow {
 std::span<const Vec3> hemisphere_directions();
 
 /// The same of the twice subdivided icosahedron: 81, those of hemisphere_directions() first.
-std::vector<Vec3> fine_hemisphere_directions();
+std::span<const Vec3> fine_hemisphere_directions();
 
 /// `directions` as unit vectors, in their order; one that is within 1e-6 of an earlier one, or of
 /// its opposite, is left out: it sees the same silhouettes. Throws Error: Usage (one is zero or not

@@ -1,34 +1,23 @@
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "neighbour_distance_detail.hpp"
 
-namespace marrow {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "neighbour_distance.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace marrow::HWY_NAMESPACE {
 
-constexpr std::size_t kLeaf = 12;  // points
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t kLeaf = PointTree::kLeaf;
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-struct BoxF {
-  PointF low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-
-  void add(const PointF& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  std::size_t longest_side() const {
-    const PointF side{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-    return static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-  }
-};
+static_assert(kNeighbour == 8);  // as many as there are variables in meet()
 
 /// Not above the computed squared distance of any two points of the boxes: rounding is monotonic.
-float squared_gap(const BoxF& a, const BoxF& b) {
+inline float squared_gap(const BoxF& a, const BoxF& b) {
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const float gap = std::max({a.low[k] - b.high[k], b.low[k] - a.high[k], 0.0F});
@@ -37,143 +26,141 @@ float squared_gap(const BoxF& a, const BoxF& b) {
   return sum;
 }
 
-/// The least squared distances of one point so far, ascending.
-class Nearest {
- public:
-  Nearest() { distances_.fill(kFar); }
-
-  float bound() const { return distances_.back(); }
-  void add(float distance) {
-    std::size_t i = distances_.size() - 1;
-    for (; i > 0 && distances_[i - 1] > distance; --i) distances_[i] = distances_[i - 1];
-    distances_[i] = distance;
-  }
-  /// The last one that there is.
-  float farthest() const {
-    const auto end = std::find(distances_.begin(), distances_.end(), kFar);
-    return end == distances_.begin() ? 0 : *(end - 1);
-  }
-
- private:
-  std::array<float, kNeighbour> distances_;
+/// Squared distances of the points of one leaf, each in a lane, to the nearest others so far.
+struct Answer {
+  const PointTree::Node& leaf;
+  float bound = kFar;                                 ///< the greatest of the last row
+  alignas(64) float nearest[kNeighbour][kLeaf] = {};  ///< ascending in every lane
 };
 
-/// A balanced tree of boxes whose leaves answer for all of their points together.
-class PointTree {
+/// The lesser ones stay in `slot`, the greater go on in `distance`.
+template <class V>
+HWY_INLINE void exchange(V& slot, V& distance) {
+  const V less = hn::Min(slot, distance);
+  distance = hn::Max(slot, distance);
+  slot = less;
+}
+
+class LeafQueries {
  public:
-  explicit PointTree(std::span<const PointF> points) : places_(points.size()) {
-    for (std::uint32_t i = 0; i < places_.size(); ++i) places_[i] = {points[i], i};
-    nodes_.reserve(4 * (points.size() / kLeaf + 1));
-    build(0, points.size(), kNone);
-    for (auto& axis : axes_) axis.resize(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) axes_[k][i] = places_[i].point[k];
-  }
-
-  std::vector<float> distances() const {
-    std::vector<float> result(places_.size());
-    for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-      if (!nodes_[n].is_leaf()) continue;
-      Answer answer = answer_of(n);
-      for (std::size_t i = 0; i < nodes_[n].end - nodes_[n].begin; ++i)
-        result[places_[nodes_[n].begin + i].index] = std::sqrt(answer.nearest[i].farthest());
-    }
-    return result;
-  }
-
- private:
-  static constexpr std::uint32_t kNone = ~0U;
-  struct Place {
-    PointF point;
-    std::uint32_t index;
-  };
-  struct Node {
-    BoxF box;
-    std::size_t begin, end;
-    std::uint32_t parent, first = kNone, second = kNone;  // children
-
-    bool is_leaf() const { return first == kNone; }
-  };
-  /// Of the points of one leaf.
-  struct Answer {
-    std::uint32_t leaf;
-    std::array<Nearest, kLeaf> nearest;
-    float bound = kFar;  // the greatest of theirs
-  };
-
-  std::uint32_t build(std::size_t begin, std::size_t end, std::uint32_t parent) {
-    const auto id = static_cast<std::uint32_t>(nodes_.size());
-    Node node{{}, begin, end, parent};
-    for (std::size_t i = begin; i < end; ++i) node.box.add(places_[i].point);
-    nodes_.push_back(node);
-    if (end - begin <= kLeaf) return id;
-    const std::size_t axis = node.box.longest_side();
-    // Whole leaves to the left, so that all but one are full.
-    const std::size_t leaves = (end - begin + kLeaf - 1) / kLeaf;
-    const std::size_t middle = begin + (leaves + 1) / 2 * kLeaf;
-    const auto at = [&](std::size_t i) { return places_.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (middle < end)
-      std::nth_element(at(begin), at(middle), at(end), [axis](const Place& a, const Place& b) {
-        return a.point[axis] < b.point[axis];
-      });
-    const std::uint32_t first = build(begin, std::min(middle, end), id);
-    const std::uint32_t second = build(std::min(middle, end), end, id);
-    nodes_[id].first = first;
-    nodes_[id].second = second;
-    return id;
-  }
+  explicit LeafQueries(const PointTree& tree) : tree_(tree) {}
 
   Answer answer_of(std::uint32_t leaf) const {
-    Answer answer{leaf, {}};
-    meet(answer, leaf);
+    Answer answer{tree_.nodes[leaf]};
+    for (auto& row : answer.nearest) std::fill_n(row, kLeaf, kFar);
+    meet(answer, answer.leaf);
     // Up the tree: what is near comes first, and prunes the rest.
-    for (std::uint32_t n = leaf; nodes_[n].parent != kNone; n = nodes_[n].parent) {
-      const Node& parent = nodes_[nodes_[n].parent];
-      descend(answer, parent.first == n ? parent.second : parent.first);
+    for (std::uint32_t n = leaf; tree_.nodes[n].parent != PointTree::kNone;
+         n = tree_.nodes[n].parent) {
+      const PointTree::Node& parent = tree_.nodes[tree_.nodes[n].parent];
+      const PointTree::Node& other = tree_.nodes[parent.first == n ? parent.second : parent.first];
+      descend(answer, other, squared_gap(answer.leaf.box, other.box));
     }
     return answer;
   }
 
-  void descend(Answer& answer, std::uint32_t n) const {
-    const BoxF& box = nodes_[answer.leaf].box;
-    if (squared_gap(box, nodes_[n].box) >= answer.bound) return;
-    if (nodes_[n].is_leaf()) return meet(answer, n);
-    std::uint32_t near = nodes_[n].first, far = nodes_[n].second;
-    if (squared_gap(box, nodes_[far].box) < squared_gap(box, nodes_[near].box))
+ private:
+  void descend(Answer& answer, const PointTree::Node& node, float gap) const {
+    if (gap >= answer.bound) return;
+    if (node.is_leaf()) return meet(answer, node);
+    const PointTree::Node* near = &tree_.nodes[node.first];
+    const PointTree::Node* far = &tree_.nodes[node.second];
+    float near_gap = squared_gap(answer.leaf.box, near->box);
+    float far_gap = squared_gap(answer.leaf.box, far->box);
+    if (far_gap < near_gap) {
       std::swap(near, far);
-    descend(answer, near);
-    descend(answer, far);
-  }
-
-  /// The points of the answer's leaf meet those of leaf `other`.
-  void meet(Answer& answer, std::uint32_t other) const {
-    const Node &mine = nodes_[answer.leaf], &theirs = nodes_[other];
-    answer.bound = 0;
-    for (std::size_t i = mine.begin; i < mine.end; ++i) {
-      Nearest& nearest = answer.nearest[i - mine.begin];
-      std::array<float, kLeaf> squared;
-      for (std::size_t j = theirs.begin; j < theirs.end; ++j) {
-        const float x = axes_[0][j] - axes_[0][i], y = axes_[1][j] - axes_[1][i],
-                    z = axes_[2][j] - axes_[2][i];
-        squared[j - theirs.begin] = x * x + y * y + z * z;
-      }
-      for (std::size_t j = theirs.begin; j < theirs.end; ++j)
-        if (j != i && squared[j - theirs.begin] < nearest.bound())
-          nearest.add(squared[j - theirs.begin]);
-      answer.bound = std::max(answer.bound, nearest.bound());
+      std::swap(near_gap, far_gap);
     }
+    descend(answer, *near, near_gap);
+    descend(answer, *far, far_gap);
   }
 
-  std::vector<Place> places_;
-  std::vector<Node> nodes_;
-  std::array<std::vector<float>, 3> axes_;
+  void meet(Answer& answer, const PointTree::Node& other) const {
+    const hn::CappedTag<float, kLeaf> d;
+    auto bound = hn::Zero(d);
+    for (std::size_t i = 0; i < kLeaf; i += hn::Lanes(d))
+      bound = hn::Max(bound, meet_lanes(d, answer, i, other));
+    answer.bound = hn::GetLane(hn::MaxOfLanes(d, bound));
+  }
+
+  /// Multiplies and adds apart, never fused: the last bit is the same on every machine.
+  template <class D>
+  HWY_INLINE hn::Vec<D> meet_lanes(D d, Answer& answer, std::size_t lane,
+                                   const PointTree::Node& other) const {
+    const std::uint32_t mine = answer.leaf.begin + static_cast<std::uint32_t>(lane);
+    const auto x = hn::LoadU(d, &tree_.axes[0][mine]), y = hn::LoadU(d, &tree_.axes[1][mine]),
+               z = hn::LoadU(d, &tree_.axes[2][mine]);
+    float* const rows = answer.nearest[0] + lane;
+    auto a = hn::Load(d, rows), b = hn::Load(d, rows + kLeaf), c = hn::Load(d, rows + 2 * kLeaf),
+         e = hn::Load(d, rows + 3 * kLeaf), f = hn::Load(d, rows + 4 * kLeaf),
+         g = hn::Load(d, rows + 5 * kLeaf), h = hn::Load(d, rows + 6 * kLeaf),
+         last = hn::Load(d, rows + 7 * kLeaf);
+    const bool same = other.begin == answer.leaf.begin;
+    for (std::uint32_t j = other.begin; j < other.end; ++j) {
+      const auto dx = hn::Sub(hn::Set(d, tree_.axes[0][j]), x);
+      const auto dy = hn::Sub(hn::Set(d, tree_.axes[1][j]), y);
+      const auto dz = hn::Sub(hn::Set(d, tree_.axes[2][j]), z);
+      auto distance = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+      if (same && j - mine < hn::Lanes(d)) distance = without_lane(d, distance, j - mine);
+      if (hn::AllFalse(d, hn::Lt(distance, last))) continue;
+      exchange(a, distance);
+      exchange(b, distance);
+      exchange(c, distance);
+      exchange(e, distance);
+      exchange(f, distance);
+      exchange(g, distance);
+      exchange(h, distance);
+      last = hn::Min(last, distance);
+    }
+    hn::Store(a, d, rows);
+    hn::Store(b, d, rows + kLeaf);
+    hn::Store(c, d, rows + 2 * kLeaf);
+    hn::Store(e, d, rows + 3 * kLeaf);
+    hn::Store(f, d, rows + 4 * kLeaf);
+    hn::Store(g, d, rows + 5 * kLeaf);
+    hn::Store(h, d, rows + 6 * kLeaf);
+    hn::Store(last, d, rows + 7 * kLeaf);
+    return last;
+  }
+
+  /// A point is no neighbour of itself.
+  template <class D>
+  static HWY_INLINE hn::Vec<D> without_lane(D d, hn::Vec<D> distance, std::uint32_t lane) {
+    const auto own = hn::Eq(hn::Iota(d, 0), hn::Set(d, static_cast<float>(lane)));
+    return hn::IfThenElse(own, hn::Set(d, kFar), distance);
+  }
+
+  const PointTree& tree_;
 };
 
-}  // namespace
+std::vector<float> distances_on_target(const PointTree& tree) {
+  const LeafQueries queries(tree);
+  const std::size_t count = tree.order.size();
+  std::vector<float> result(count, 0);
+  if (count < 2) return result;
+  const std::size_t row = std::min<std::size_t>(kNeighbour, count - 1) - 1;
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+    const PointTree::Node& node = tree.nodes[n];
+    if (!node.is_leaf()) continue;
+    const Answer answer = queries.answer_of(n);
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      result[tree.order[i]] = std::sqrt(answer.nearest[row][i - node.begin]);
+  }
+  return result;
+}
+
+}  // namespace marrow::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace marrow {
+
+HWY_EXPORT(distances_on_target);
 
 std::vector<float> neighbour_distances(std::span<const PointF> points) {
   if (points.empty()) return {};
-  return PointTree(points).distances();
+  return HWY_DYNAMIC_DISPATCH(distances_on_target)(make_point_tree(points));
 }
 
 }  // namespace marrow
+#endif

@@ -1,13 +1,12 @@
 // How far the neighbours of points are.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
-namespace marrow {
+#include "point_tree_detail.hpp"
 
-using PointF = std::array<float, 3>;
+namespace marrow {
 
 /// For every point the distance to its `kNeighbour`-th nearest other point, or to the farthest
 /// where there are fewer; 0 for a single point. Equal distances are no matter.

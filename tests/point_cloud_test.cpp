@@ -129,7 +129,7 @@ ExtractOptions small_or_default() {
 
 TEST_CASE("the eighth neighbour is the one that counting finds", "[point_cloud]") {
   Random random(1);
-  for (const std::size_t count : {1u, 2u, 8u, 9u, 10u, 100u, 700u}) {
+  for (const std::size_t count : {1u, 2u, 8u, 9u, 10u, 16u, 17u, 100u, 700u, 1500u}) {
     std::vector<PointF> points;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = random.vector() * (random.below(3) == 0 ? 0.01 : 1.0);

@@ -14,6 +14,7 @@
 #include <marrow/refinement.hpp>
 #include <marrow/region_growing.hpp>
 #include <marrow/shape_summary.hpp>
+#include <marrow/sheet_leaves.hpp>
 #include <marrow/smoothing.hpp>
 #include <marrow/stereo_matching.hpp>
 #include <marrow/touching_bodies.hpp>
@@ -276,7 +277,7 @@ bool is_on_surface(const Volume&, Refinement) { return false; }
 /// Sections 4.3 and 4.4 as measured to work.
 template <class Input>
 VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, const VoteGrid& matched,
-                          std::span<const StereoImages> views, double pixel,
+                          std::span<const StereoImages> views, double pixel, LazyScene& scene,
                           const ExtractOptions& options, const Recorder& record) {
   using Trace = ExtractTrace;
   const VoxelGrid grid = matched.grid;
@@ -306,6 +307,10 @@ VoteGraph graph_by_marrow(const Input& input, const NormalizedShape& shape, cons
   // 4.4, last paragraph: tips and smoothing.
   record.begin("smoothing", 0.94);
   graph = trim_leaves(cut_hooks(graph, voxel), voxel);
+  if (!shape.is_point_cloud())
+    graph = cut_leaves_in_sheets(graph, Projections(views), [&]() -> const SurfaceScene& {
+      return scene.for_use(SurfaceScene::Use::Questions);
+    });
   if (shape.is_point_cloud()) graph = without_lone_nodes(graph);
   return record.keep(&Trace::smoothed, smooth_branches(std::move(graph), options.smoothing_passes));
 }
@@ -360,9 +365,10 @@ CurveSkeleton run(const Input& input, const ExtractOptions& options, ExtractTrac
       record.keep(&Trace::votes, match(shape, views, resolution.grid, options.max_threads));
 
   // 4.3 and 4.4: the graph.
-  VoteGraph graph = options.rules == Rules::Paper
-                        ? graph_by_paper(matched, views, pixel, options, record)
-                        : graph_by_marrow(input, shape, matched, views, pixel, options, record);
+  VoteGraph graph =
+      options.rules == Rules::Paper
+          ? graph_by_paper(matched, views, pixel, options, record)
+          : graph_by_marrow(input, shape, matched, views, pixel, scene, options, record);
   const Projections projections(views);
   if (graph.edges.empty()) graph = middle_line(shape, projections, matched.grid.size);
 

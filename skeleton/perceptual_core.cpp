@@ -90,8 +90,9 @@ class LeafSets {
 
 class ZonePruner {
  public:
-  explicit ZonePruner(const VoteGraph& forest)
+  ZonePruner(const VoteGraph& forest, Zone zone)
       : forest_(forest),
+        zone_(zone),
         parent_(forest.nodes.size(), kNone),
         along_(forest.nodes.size(), 0),
         leaves_(forest.nodes.size()),
@@ -132,14 +133,23 @@ class ZonePruner {
     const auto leaves = leaves_.take(joint);
     const NodeId most_significant = *std::max_element(
         leaves.begin(), leaves.end(), [&](NodeId a, NodeId b) { return along_[a] < along_[b]; });
-    for (const NodeId leaf : leaves) {
-      const double reach = forest_.node(leaf).radius + forest_.node(joint).radius;
-      if (leaf == most_significant || forest_.length(leaf, joint) >= reach)
-        leaves_.add(joint, leaf);
-    }
+    for (const NodeId leaf : leaves)
+      if (leaf == most_significant || leads_out(leaf, joint)) leaves_.add(joint, leaf);
+  }
+
+  bool is_outside(NodeId n, NodeId joint) const {
+    return forest_.length(n, joint) >= forest_.node(n).radius + forest_.node(joint).radius;
+  }
+
+  bool leads_out(NodeId leaf, NodeId joint) const {
+    if (zone_ == Zone::OfLeaves) return is_outside(leaf, joint);
+    for (NodeId n = leaf; n != joint; n = parent_[n])
+      if (is_outside(n, joint)) return true;
+    return false;
   }
 
   LiveGraph forest_;
+  Zone zone_;
   std::vector<NodeId> parent_;
   std::vector<double> along_;  // sum of significance from the root
   LeafSets leaves_;
@@ -148,18 +158,20 @@ class ZonePruner {
 
 }  // namespace
 
-VoteGraph prune_by_zone_of_influence(const VoteGraph& forest) { return ZonePruner(forest).prune(); }
+VoteGraph prune_by_zone_of_influence(const VoteGraph& forest, Zone zone) {
+  return ZonePruner(forest, zone).prune();
+}
 
 VoteGraph prune_to_convergence(VoteGraph forest) {
   for (std::size_t before = forest.nodes.size() + 1; forest.nodes.size() < before;) {
     before = forest.nodes.size();
-    forest = prune_by_zone_of_influence(forest);
+    forest = prune_by_zone_of_influence(forest, Zone::OfLeaves);
   }
   return forest;
 }
 
 VoteGraph extract_perceptual_core(const VoteGraph& forest, double voxel) {
-  return prune_leaves(prune_by_zone_of_influence(forest), voxel);
+  return prune_leaves(prune_by_zone_of_influence(forest, Zone::OfWays), voxel);
 }
 
 }  // namespace marrow

@@ -68,7 +68,7 @@ TEST_CASE("a part of one edge is no loop", "[paper]") {
 TEST_CASE("zones of influence prune until nothing changes", "[paper]") {
   const AnalyticShape made = make_analytic_shape("octopus", {0.5});
   const ExtractTrace trace = extract_with_trace(made.shape, by_paper(128, 64));
-  CHECK(prune_by_zone_of_influence(trace.core) == trace.core);
+  CHECK(prune_by_zone_of_influence(trace.core, Zone::OfLeaves) == trace.core);
   CHECK(trace.core.nodes.size() < trace.tree.nodes.size());
 }
 

@@ -39,12 +39,12 @@ constexpr Pen kFine{0.001, 0.05, 42};
 
 TEST_CASE("a twig whose ball touches the joint's goes", "[perceptual_core]") {
   const Pen twig{0.02, 0.04, 42};  // reach: 0.05 of the joint and 0.04
-  const VoteGraph without = prune_by_zone_of_influence(trunk_with_twig(0.08, twig));
+  const VoteGraph without = prune_by_zone_of_influence(trunk_with_twig(0.08, twig), Zone::OfWays);
   CHECK_FALSE(has_tip(without, {0, 0.08, 0}));
   CHECK(leaves_of(without) == 2);
   CHECK(has_tip(without, {-1, 0, 0}));
   CHECK(has_tip(without, {1, 0, 0}));
-  const VoteGraph with = prune_by_zone_of_influence(trunk_with_twig(0.1, twig));
+  const VoteGraph with = prune_by_zone_of_influence(trunk_with_twig(0.1, twig), Zone::OfWays);
   CHECK(has_tip(with, {0, 0.1, 0}));
   CHECK(leaves_of(with) == 3);
 }
@@ -57,7 +57,7 @@ TEST_CASE("of leaves that all touch their joint the most significant stays", "[p
     const NodeId fork = draw(graph, left, {1, 0, 0}, {});
     draw(graph, fork, {1.02, 0.04, 0}, {0.02, 0.05, upper_is_strong ? 42 : 30});
     draw(graph, fork, {1.02, -0.04, 0}, {0.02, 0.05, upper_is_strong ? 30 : 42});
-    const VoteGraph pruned = prune_by_zone_of_influence(graph);
+    const VoteGraph pruned = prune_by_zone_of_influence(graph, Zone::OfWays);
     CHECK(leaves_of(pruned) == 2);
     CHECK(has_tip(pruned, {1.02, 0.04, 0}) == upper_is_strong);
     CHECK(has_tip(pruned, {1.02, -0.04, 0}) == !upper_is_strong);
@@ -76,15 +76,26 @@ TEST_CASE("a joint further up has its say on leaves that passed one below", "[pe
   const NodeId fork = draw(graph, big, {0.2, 0.2, 0}, {0.02, 0.01, 42});
   draw(graph, fork, {0.3, 0.3, 0}, {0.02, 0.01, 42});
   draw(graph, fork, {0.1, 0.3, 0}, {0.02, 0.01, 42});
-  const VoteGraph pruned = prune_by_zone_of_influence(graph);
+  const VoteGraph pruned = prune_by_zone_of_influence(graph, Zone::OfWays);
   CHECK(leaves_of(pruned) == 2);
   CHECK(has_tip(pruned, graph.nodes[left].position));
   CHECK(has_tip(pruned, graph.nodes[right].position));
 }
 
+TEST_CASE("a line that turns round at the end of a limb is no twig", "[perceptual_core]") {
+  // Out along a limb and back beside it, into the ball of the joint.
+  VoteGraph graph = trunk_with_twig(0.4, {});
+  const NodeId turn = nearest_node(graph, {0, 0.4, 0});
+  draw(graph, draw(graph, turn, {0.03, 0.4, 0}, {}), {0.03, 0.06, 0}, {});
+  const VoteGraph kept = prune_by_zone_of_influence(graph, Zone::OfWays);
+  CHECK(leaves_of(kept) == 3);
+  CHECK(has_node_at(kept, {0, 0.4, 0}));
+  CHECK(leaves_of(prune_by_zone_of_influence(graph, Zone::OfLeaves)) == 2);
+}
+
 TEST_CASE("every tree of a forest is pruned on its own", "[perceptual_core]") {
   VoteGraph forest = trunk_with_twig(0.06, {});
-  const VoteGraph first = prune_by_zone_of_influence(forest);
+  const VoteGraph first = prune_by_zone_of_influence(forest, Zone::OfWays);
   const auto base = static_cast<NodeId>(forest.nodes.size());
   const VoteGraph second = trunk_with_twig(0.3, {});
   for (auto n : second.nodes) {
@@ -93,11 +104,11 @@ TEST_CASE("every tree of a forest is pruned on its own", "[perceptual_core]") {
   }
   for (const auto& [a, b] : second.edges) forest.edges.push_back({a + base, b + base});
   add_node(forest, {0, 0, -0.5}, {});
-  const VoteGraph pruned = prune_by_zone_of_influence(forest);
+  const VoteGraph pruned = prune_by_zone_of_influence(forest, Zone::OfWays);
   CHECK(component_count(counts_of(pruned)) == 3);
   CHECK(leaves_of(pruned) == 2 + 3);
   CHECK(pruned.nodes.size() == first.nodes.size() + second.nodes.size() + 1);
-  CHECK(prune_by_zone_of_influence({}) == VoteGraph{});
+  CHECK(prune_by_zone_of_influence({}, Zone::OfWays) == VoteGraph{});
 }
 
 TEST_CASE("a twig goes while it shows less than its tip's radius and two voxels",
@@ -174,8 +185,8 @@ TEST_CASE("a part that is a single path stays, and so does a ring", "[perceptual
 
 TEST_CASE("the perceptual core is zones of influence, then the leaf rule", "[perceptual_core]") {
   const VoteGraph tree = trunk_with_twig(0.12, {0.02, 0.04, 42});
-  CHECK(leaves_of(prune_by_zone_of_influence(tree)) == 3);
+  CHECK(leaves_of(prune_by_zone_of_influence(tree, Zone::OfWays)) == 3);
   CHECK(leaves_of(extract_perceptual_core(tree, kVoxel)) == 2);
   CHECK(extract_perceptual_core(tree, kVoxel) ==
-        prune_leaves(prune_by_zone_of_influence(tree), kVoxel));
+        prune_leaves(prune_by_zone_of_influence(tree, Zone::OfWays), kVoxel));
 }

@@ -5,10 +5,16 @@
 
 namespace marrow {
 
+/// Whose balls must not all touch that of a joint: those of its leaves, as the paper has it, or
+/// those along the ways to them. A line that turns round at the end of a limb may have its leaf
+/// back beside the joint.
+enum class Zone { OfLeaves, OfWays };
+
 /// Prunes a spanning forest, in one pass from the leaves up to the middle of each tree's longest
-/// path: at a joint a leaf survives when its ball does not touch the joint's, and always the most
-/// significant one: that with the greatest sum of length * (support / 42)^3 along its way.
-VoteGraph prune_by_zone_of_influence(const VoteGraph& forest);
+/// path: at a joint a leaf survives when its ball, or one on the way to it, does not touch the
+/// joint's, and always the most significant one: that with the greatest sum of
+/// length * (support / 42)^3 along its way.
+VoteGraph prune_by_zone_of_influence(const VoteGraph& forest, Zone zone);
 
 /// The same again and again until no leaf goes: the paper's own rule.
 VoteGraph prune_to_convergence(VoteGraph forest);

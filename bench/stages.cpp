@@ -8,6 +8,7 @@
 #include <marrow/refinement.hpp>
 #include <marrow/region_growing.hpp>
 #include <marrow/shape_summary.hpp>
+#include <marrow/sheet_leaves.hpp>
 #include <marrow/smoothing.hpp>
 #include <marrow/stereo_matching.hpp>
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace marrow {
 
@@ -129,9 +131,22 @@ void run_cycle_check(const Workload& w) {
   keep(prune_leaves(graph, voxel_of(w)));
 }
 
+VoteGraph trimmed(const Workload& w) {
+  return trim_leaves(cut_hooks(w.trace.collapsed, voxel_of(w)), voxel_of(w));
+}
+
 void run_smoothing(const Workload& w) {
-  const VoteGraph trimmed = trim_leaves(cut_hooks(w.trace.collapsed, voxel_of(w)), voxel_of(w));
-  keep(smooth_branches(trimmed, w.options.smoothing_passes));
+  keep(smooth_branches(trimmed(w), w.options.smoothing_passes));
+}
+
+/// The tree of the surface, where one is needed, is refinement's too: that counts it again.
+void run_sheets(const Workload& w) {
+  if (w.normalized.is_point_cloud()) return;
+  std::optional<SurfaceScene> surface;
+  keep(cut_leaves_in_sheets(trimmed(w), Projections(w.trace.views), [&]() -> const SurfaceScene& {
+    if (!surface) surface.emplace(w.normalized, SurfaceScene::Use::Questions);
+    return *surface;
+  }));
 }
 
 /// With the tree that the surface is asked by.
@@ -163,6 +178,7 @@ constexpr std::array kStages{
     Stage{"hull-thinning", run_hull_thinning},
     Stage{"branch-collapse", run_branch_collapse},
     Stage{"cycle-check", run_cycle_check},
+    Stage{"sheets", run_sheets},
     Stage{"smoothing", run_smoothing},
     Stage{"refinement", run_refinement},
 };

@@ -9,7 +9,7 @@ GROUPS = {
                "distances-to-axes"),
     "votes": ("matching", "cleaning"),
     "graph": ("region-growing", "perceptual-core", "hull-solid", "hull-thinning",
-              "branch-collapse", "cycle-check", "smoothing", "refinement"),
+              "branch-collapse", "cycle-check", "sheets", "smoothing", "refinement"),
 }
 
 

@@ -82,8 +82,17 @@ class Trials:
         told = self._asked("compare", first, second)["both_ways"]
         return tuple(100 * told[key]["distance"] / diagonal for key in ("mean", "hausdorff"))
 
-    def quality(self, subject, skeleton):
-        return self._asked("check", subject.path, skeleton)
+    def quality(self, method, subject, skeleton):
+        """The figures of `marrow check`; a peer's nodes have the radii of the inscribed balls."""
+        if not method.peer:
+            return self._asked("check", subject.path, skeleton)
+        out = str(Path(skeleton).with_suffix(".skel"))
+        done = child.run([machine.program("marrow"), "convert", skeleton, out, "--radius", "1e-6"],
+                         SECONDS)
+        if done.status:
+            machine.die(f"marrow convert {skeleton}: {done.errors.strip()}")
+        told = self._asked("check", subject.path, out)
+        return {**told, "reconstruction_percent": told["inscribed_reconstruction_percent"]}
 
     def picture(self, name, subject, skeleton, folder):
         """A PNG of a shape and its skeleton; its file name."""

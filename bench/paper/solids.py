@@ -55,7 +55,7 @@ def quality_section(ask, methods, subjects):
     for subject in subjects:
         for method in methods:
             made = ask.skeleton(method, subject)
-            told = {} if "failed" in made else ask.quality(subject, made["path"])
+            told = {} if "failed" in made else ask.quality(method, subject, made["path"])
             rows.append({"shape": subject.name, "method": method.title,
                          "found": counts_words(made), **{key: told.get(key) for key in keys}})
     lines = [["method", "shapes", "centredness", "outside, %", "reconstruction, %"]]
@@ -70,6 +70,6 @@ def quality_section(ask, methods, subjects):
                for row in rows]
     words = ("By `marrow check`. Centredness: how much nearer one side of the wall is than the other, "
              "across the line, 0 is the middle; outside: share of the length; reconstruction: mean "
-             "distance of the surface from the balls in % of the diagonal (nodes without a radius "
-             "have that of the inscribed ball).")
+             "distance of the surface from the balls in % of the diagonal (peers give no radii: "
+             "theirs are the inscribed balls).")
     return Section("quality", "Centred, inside, complete", words, [lines, detail], rows)

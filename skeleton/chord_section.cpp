@@ -96,8 +96,4 @@ ChordSection turned_to_normal(ChordSection section, const FreeWay& free_way) {
   return section;
 }
 
-double chord_half(const Vec3& p, const Vec3& direction, const FreeWay& free_way) {
-  return chord(p, direction, free_way).half;
-}
-
 }  // namespace marrow

@@ -34,7 +34,4 @@ ChordSection section_across(const Vec3& p, const Vec3& tangent, const FreeWay& f
 /// The section with its normal turned out of it to where the shape is thinnest: that of a sheet.
 ChordSection turned_to_normal(ChordSection section, const FreeWay& free_way);
 
-/// Half the length of the chord through `p` along a direction.
-double chord_half(const Vec3& p, const Vec3& direction, const FreeWay& free_way);
-
 }  // namespace marrow

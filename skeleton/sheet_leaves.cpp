@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "chord_section_detail.hpp"
@@ -14,15 +13,13 @@ namespace marrow {
 
 namespace {
 
-constexpr double kShort = 1.2;  // half widths of the sheet, from the ball of the joint to the leaf
+constexpr double kShort = 2.2;  // half widths of the sheet, from the ball of the joint to the leaf
 constexpr double kFlat = 1.5;   // greatest half width, times the median of all directions
 constexpr std::array kPlaces{0.25, 0.5, 0.75};  // of the branch outside the ball of its joint
-constexpr int kAround = 15, kLeastAround = 8;   // places about the joint: all, and in the sheet
-constexpr double kAsThin = 2;           // times the thickness of the sheet, at the most, in it
-constexpr double kLongest = 2.7;        // half widths, from the joint across a round sheet
-constexpr double kLongestInside = 4.5;  // where all the places are in the sheet
-constexpr int kSmoothingPasses = 5;     // lines of voxels wiggle
-constexpr std::size_t kReach = 4;       // nodes each way, for the tangent
+constexpr std::size_t kRim = 13;                // places on the rim, 11.25 degrees apart
+constexpr double kStraight = 0.1;               // sine of a turn that is none
+constexpr int kSmoothingPasses = 5;             // lines of voxels wiggle
+constexpr std::size_t kReach = 4;               // nodes each way, for the tangent
 
 double middle_one(double a, double b, double c) {
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
@@ -30,42 +27,34 @@ double middle_one(double a, double b, double c) {
 
 using Sections = std::array<ChordSection, kPlaces.size()>;
 
-/// What lies around a joint in the plane of a sheet: fifteen places as far off as the one that the
-/// sheet was seen from.
-struct Surroundings {
-  int as_thin = 0;     ///< of the fifteen
-  double longest = 0;  ///< way past one of them
-};
-
-Surroundings look_around(const Vec3& joint, const ChordSection& sheet, const FreeWay& free_way) {
+/// Whether the rim of a sheet has no notch within 67.5 degrees of one place of it, seen from a
+/// joint. There is one beside a limb, such as an ear, and between the lobes of a fork.
+bool is_rim_convex(const Vec3& joint, const ChordSection& sheet, const FreeWay& free_way) {
   const Vec3 centre = joint + sheet.normal * dot(sheet.middle - joint, sheet.normal);
   const Vec3 out = sheet.middle - centre;
-  const double reach = length(out);
-  if (reach == 0) return {};
-  const Vec3 u = out / reach, v = cross(sheet.normal, u);
-  Surroundings result;
-  const auto ways = directions_around(u, v);
-  for (const Vec3& way : std::span(ways).subspan(1)) {
-    const double free = free_way(centre, way);
-    result.longest = std::max(result.longest, free);
-    if (free < reach) continue;
-    const double half = chord_half(centre + way * reach, sheet.normal, free_way);
-    result.as_thin += half <= kAsThin * sheet.thinnest;
+  if (out == Vec3{}) return false;
+  const Vec3 u = normalized(out);
+  const auto ways = directions_around(u, cross(sheet.normal, u));
+  std::array<Vec3, kRim> rim;
+  for (std::size_t k = 0; k < kRim; ++k) {
+    // Half-way between those directions too.
+    const std::size_t twice = 2 * ways.size() - kRim / 2 + k;
+    const Vec3 way =
+        normalized(ways[twice / 2 % ways.size()] + ways[(twice + 1) / 2 % ways.size()]);
+    rim[k] = way * free_way(centre, way);
   }
-  return result;
+  for (std::size_t k = 1; k + 1 < kRim; ++k) {
+    const Vec3 before = rim[k] - rim[k - 1], behind = rim[k + 1] - rim[k];
+    const double turn = dot(cross(before, behind), sheet.normal);
+    if (turn < -kStraight * length(before) * length(behind)) return false;
+  }
+  return true;
 }
 
-/// A limb that is flat, such as an ear, has the body around its joint; one that forks goes on for
-/// long the other way.
-bool is_round(const Vec3& joint, const Sections& sections, double widest, const FreeWay& free_way) {
-  Surroundings most;
-  for (const ChordSection& section : sections) {
-    const auto seen = look_around(joint, turned_to_normal(section, free_way), free_way);
-    most.as_thin = std::max(most.as_thin, seen.as_thin);
-    most.longest = std::max(most.longest, seen.longest);
-  }
-  const double longest = most.as_thin == kAround ? kLongestInside : kLongest;
-  return most.as_thin >= kLeastAround && most.longest <= longest * widest;
+bool is_rim_convex(const Vec3& joint, const Sections& sections, const FreeWay& free_way) {
+  return std::any_of(sections.begin(), sections.end(), [&](const ChordSection& section) {
+    return is_rim_convex(joint, turned_to_normal(section, free_way), free_way);
+  });
 }
 
 class SheetPruner {
@@ -173,7 +162,7 @@ class SheetPruner {
     if (!is_short_and_flat(extent, sections(in_hull_))) return verdict;
     const FreeWay in_surface = free_way_in(surface_(), projections_);
     const Sections found = sections(in_surface);
-    if (is_short_and_flat(extent, found) && is_round(joint, found, widest(found), in_surface))
+    if (is_short_and_flat(extent, found) && is_rim_convex(joint, found, in_surface))
       verdict.share = extent / widest(found);
     return verdict;
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "sample_shapes.hpp"
+#include "graphs.hpp"
 #include "scale.hpp"
 
 using namespace marrow;
@@ -92,13 +92,33 @@ TEST_CASE("a disc alone keeps a line", "[sheet_leaves]") {
   CHECK(component_count(skeleton) == 1);
 }
 
-TEST_CASE("flat limbs are no rims", "[sheet_leaves]") {
-  // Four arms, longer than wide; the third direction is thin.
-  Shape cross = make_ellipsoid({1.2, 0.3, 0.06}, 4);
-  const Shape other = make_ellipsoid({0.3, 1.2, 0.06}, 4);
-  const auto base = static_cast<std::uint32_t>(cross.points.size());
-  cross.points.insert(cross.points.end(), other.points.begin(), other.points.end());
-  for (const auto& [a, b, c] : other.triangles)
-    cross.triangles.push_back({a + base, b + base, c + base});
-  CHECK(leaf_count(skeleton_of_shape(cross)) == 4);
+TEST_CASE("flat limbs are no rims, and end once", "[sheet_leaves]") {
+  Shape cross = box({-1.2, -0.3, -0.05}, {1.2, 0.3, 0.05});
+  add_box(cross, {-0.3, -1.2, -0.05}, {0.3, 1.2, 0.05});
+  const CurveSkeleton skeleton = skeleton_of_shape(cross);
+  CHECK(leaf_count(skeleton) == 4);
+  CHECK(joint_count(skeleton) == 1);
+  CHECK(leaf_count(skeleton_of_shape(box({0, 0, 0}, {3, 0.6, 0.1}))) == 2);
+}
+
+TEST_CASE("lobes with notches between them are limbs", "[sheet_leaves]") {
+  // A flat flower.
+  constexpr std::uint32_t kSides = 96;
+  Shape flower;
+  for (const double z : {-0.08, 0.08})
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kSides;
+      const double radius = 0.8 + 0.2 * std::cos(5 * angle);
+      flower.points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  flower.points.push_back({0, 0, -0.08});
+  flower.points.push_back({0, 0, 0.08});
+  for (std::uint32_t k = 0; k < kSides; ++k) {
+    const std::uint32_t next = (k + 1) % kSides;
+    flower.triangles.push_back({k, next, kSides + next});
+    flower.triangles.push_back({k, kSides + next, kSides + k});
+    flower.triangles.push_back({2 * kSides, next, k});
+    flower.triangles.push_back({2 * kSides + 1, kSides + k, kSides + next});
+  }
+  CHECK(leaf_count(skeleton_of_shape(flower)) == 5);
 }

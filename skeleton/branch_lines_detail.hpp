@@ -2,11 +2,17 @@
 #pragma once
 
 #include <marrow/curve_skeleton.hpp>
+#include <marrow/surface_scene.hpp>
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace marrow {
+
+/// What the rays across a line met last, each in its turn.
+using SeenWalls = std::array<std::optional<SurfaceHit>, 8>;
 
 /// One point of a line.
 struct LinePoint {
@@ -14,6 +20,7 @@ struct LinePoint {
   double radius = 0;                                      ///< of the inscribed ball
   double section_radius = 0;                              ///< mean half width of the section
   double most = std::numeric_limits<double>::infinity();  ///< what the radius is at most
+  SeenWalls seen{};  ///< from here, or from where the point was before
 };
 
 /// A branch: its points from end to end. A ring has no end, and no point twice.

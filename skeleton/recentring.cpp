@@ -57,7 +57,7 @@ Hold hold_of(BranchLine& line, std::size_t i, const SurfaceProbe& probe, double&
   const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
   if (line.is_joint(i) || tangent == Vec3{})
     return {p.position, scaled_identity(kJointWeight), stiffness_of(p, probe.diagonal())};
-  const Walls walls = probe.walls_across(p.position, tangent);
+  const Walls walls = probe.walls_across(p.position, tangent, p.seen);
   if (walls.count > 0) p.most = p.radius = walls.nearest;  // near enough, and sooner known
   const Section section = probe.section(p.position, tangent, walls, p.radius);
   width = std::max(width, section.half_width);
@@ -147,7 +147,8 @@ void measure_sections(BranchLine& line, const SurfaceProbe& probe) {
     p.section_radius = p.radius;
     const Vec3 tangent = tangent_at(line, i, tangent_reach(p, probe));
     if (line.is_joint(i) || tangent == Vec3{}) continue;
-    const Section section = probe.section(p.position, tangent, p.radius);
+    const Walls walls = probe.walls_across(p.position, tangent, p.seen);
+    const Section section = probe.section(p.position, tangent, walls, p.radius);
     p.section_radius = std::clamp(section.half_width, p.radius, kMost * p.radius);
   }
   const auto fade = [&](std::size_t joint, auto along) {

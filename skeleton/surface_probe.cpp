@@ -22,6 +22,8 @@ constexpr double kUntold = 0.02;     // weight where too few walls are seen
 constexpr double kThinWall = 0.06;   // of the diagonal: two walls with a limb between them
 constexpr double kBack = -0.3;       // cosine to where a limb points of ways back into it
 constexpr double kSameWay = 0.8;     // cosine between two ways that are one
+constexpr double kAside = 0.1;       // of the way to a wall: so far it is taken to go on
+constexpr double kSteep = 0.5;       // cosine between a ray and the normal of such a wall
 constexpr double kRounding = 1e-9;   // of sums of distances, relative
 constexpr double kRootHalf = 0.70710678118654752;
 
@@ -127,15 +129,38 @@ std::optional<SurfaceHit> SurfaceProbe::wall(const Vec3& from, const Vec3& direc
   return {};
 }
 
-Walls SurfaceProbe::walls_across(const Vec3& p, const Vec3& tangent) const {
+/// The way to a wall that goes on from where it was seen, if that is near and not aslant.
+std::optional<double> SurfaceProbe::way_on(const Vec3& from, const Vec3& direction,
+                                           const std::optional<SurfaceHit>& seen) const {
+  if (!seen) return {};
+  const Vec3 normal = input_.surface.normal(seen->triangle);
+  const double across = dot(direction, normal);
+  if (across * across <= kSteep * kSteep * squared_length(normal)) return {};
+  const double way = dot(seen->position - from, normal) / across;
+  const double aside = squared_length(from + direction * way - seen->position);
+  if (way <= 0 || aside > kAside * kAside * way * way) return {};
+  return way;
+}
+
+/// kFar: there is no wall.
+double SurfaceProbe::way_to_wall(const Vec3& from, const Vec3& direction,
+                                 std::optional<SurfaceHit>& seen) const {
+  if (const auto way = way_on(from, direction, seen)) return *way;
+  seen = wall(from, direction);
+  return seen ? seen->distance : kFar;
+}
+
+Walls SurfaceProbe::walls_across(const Vec3& p, const Vec3& tangent, SeenWalls& seen) const {
   const auto [u, v] = across(tangent);
+  const std::array<Vec3, 4> directions{u, (u + v) * kRootHalf, v, (v - u) * kRootHalf};
   Walls walls;
-  for (const Vec3& e : {u, (u + v) * kRootHalf, v, (v - u) * kRootHalf}) {
-    const auto a = wall(p, e), b = wall(p, -e);
-    if (!a || !b) continue;
-    const double nearest = std::min(a->distance, b->distance);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3& e = directions[i];
+    const double ahead = way_to_wall(p, e, seen[2 * i]), back = way_to_wall(p, -e, seen[2 * i + 1]);
+    if (ahead >= kFar || back >= kFar) continue;
+    const double nearest = std::min(ahead, back);
     walls.nearest = walls.count == 0 ? nearest : std::min(walls.nearest, nearest);
-    walls.pairs[walls.count++] = {e, a->distance, b->distance};
+    walls.pairs[walls.count++] = {e, ahead, back};
   }
   return walls;
 }

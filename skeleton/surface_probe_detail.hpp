@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "branch_lines_detail.hpp"
 #include "symmetric3_detail.hpp"
 
 namespace marrow {
@@ -55,11 +56,14 @@ class SurfaceProbe {
   double hull(const Vec3& p) const;
   /// Distance to the surface; the sooner found the less it is known to be at most.
   double radius(const Vec3& p, double most = kFar) const;
-  Walls walls_across(const Vec3& p, const Vec3& tangent) const;
+  /// Walls that have been `seen` from a place nearby are taken to go on a little as they are there;
+  /// the others become what is seen now.
+  Walls walls_across(const Vec3& p, const Vec3& tangent, SeenWalls& seen) const;
   /// At a point whose distance to the surface is `radius`.
   Section section(const Vec3& p, const Vec3& tangent, const Walls& walls, double radius) const;
   Section section(const Vec3& p, const Vec3& tangent, double radius) const {
-    return section(p, tangent, walls_across(p, tangent), radius);
+    SeenWalls seen;
+    return section(p, tangent, walls_across(p, tangent, seen), radius);
   }
   /// Way to the first wall in a direction; kFar without one.
   double free_way(const Vec3& p, const Vec3& direction) const;
@@ -76,6 +80,10 @@ class SurfaceProbe {
  private:
   std::optional<SurfaceHit> nearest_wall(const Vec3& p, double reach) const;
   std::optional<SurfaceHit> wall(const Vec3& from, const Vec3& direction) const;
+  std::optional<double> way_on(const Vec3& from, const Vec3& direction,
+                               const std::optional<SurfaceHit>& seen) const;
+  double way_to_wall(const Vec3& from, const Vec3& direction,
+                     std::optional<SurfaceHit>& seen) const;
   bool is_inner(const Vec3& from, const SurfaceHit& hit) const;
 
   RefinementInput input_;

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "heap.hpp"
@@ -51,8 +52,11 @@ void set_up(CLI::App& program) {
 [[noreturn]] void refuse(const CLI::App& program, const CLI::ParseError& e) {
   std::string verb;
   for (const CLI::App* chosen : program.get_subcommands()) verb = " " + chosen->get_name();
-  const std::string what =
-      verb.empty() && e.get_name() == "RequiredError" ? "a verb is missing" : e.what();
+  std::string what = e.what();
+  if (verb.empty() && e.get_name() == "RequiredError") {
+    const std::vector<std::string> others = program.remaining();
+    what = others.empty() ? "a verb is missing" : others.front() + " is not a verb of marrow";
+  }
   throw Error(ErrorKind::Usage, what + "; see marrow" + verb + " --help");
 }
 

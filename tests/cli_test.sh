@@ -264,7 +264,7 @@ cp torus.obj torus.blend
 mkdir folder.obj
 
 bad 2 'a verb is missing; see marrow --help'
-bad 2 'see marrow --help' explode
+bad 2 'explode is not a verb of marrow; see marrow --help' explode
 bad 2 'see marrow extract --help' extract
 bad 2 '--output is required' extract torus.obj
 bad 2 '--wrong' extract torus.obj -o out.obj --wrong

@@ -1,5 +1,5 @@
 // What a point sees across a line, and what it remembers of it.
-#include "../skeleton/surface_probe_detail.hpp"
+#include <surface_probe_detail.hpp>
 
 #include <algorithm>
 

@@ -11,6 +11,12 @@
 #include <unistd.h>
 #endif
 
+#ifdef __SANITIZE_ADDRESS__
+/// What has been given back is kept from use for a while, to find who uses it still; 256 MB of it
+/// by default, more than the program itself needs for most shapes.
+extern "C" const char* __asan_default_options() { return "quarantine_size_mb=64"; }
+#endif
+
 namespace marrow {
 
 #ifdef __GLIBC__

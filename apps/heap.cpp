@@ -12,8 +12,8 @@
 #endif
 
 #ifdef __SANITIZE_ADDRESS__
-/// What has been given back is kept from use for a while, to find who uses it still; 256 MB of it
-/// by default, more than the program itself needs for most shapes.
+/// What has been given back is kept from use for a while, to find who uses it still. With the 256
+/// MB of the default the program would not keep within its limits on memory.
 extern "C" const char* __asan_default_options() { return "quarantine_size_mb=64"; }
 #endif
 

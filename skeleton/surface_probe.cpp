@@ -142,7 +142,6 @@ std::optional<double> SurfaceProbe::way_on(const Vec3& from, const Vec3& directi
   return way;
 }
 
-/// kFar: there is no wall.
 double SurfaceProbe::way_to_wall(const Vec3& from, const Vec3& direction,
                                  std::optional<SurfaceHit>& seen) const {
   if (const auto way = way_on(from, direction, seen)) return *way;
@@ -204,8 +203,8 @@ double SurfaceProbe::ahead(const Vec3& p, const Vec3& direction) const {
 }
 
 double SurfaceProbe::free_way(const Vec3& p, const Vec3& direction) const {
-  const auto hit = wall(p, direction);
-  return hit ? hit->distance : kFar;
+  std::optional<SurfaceHit> seen;
+  return way_to_wall(p, direction, seen);
 }
 
 std::vector<Way> SurfaceProbe::free_ways(const Vec3& p, const Vec3& limb) const {

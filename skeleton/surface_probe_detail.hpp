@@ -80,10 +80,11 @@ class SurfaceProbe {
  private:
   std::optional<SurfaceHit> nearest_wall(const Vec3& p, double reach) const;
   std::optional<SurfaceHit> wall(const Vec3& from, const Vec3& direction) const;
-  std::optional<double> way_on(const Vec3& from, const Vec3& direction,
-                               const std::optional<SurfaceHit>& seen) const;
+  /// The same as free_way(), unless a wall that was seen goes on; else `seen` becomes what is met.
   double way_to_wall(const Vec3& from, const Vec3& direction,
                      std::optional<SurfaceHit>& seen) const;
+  std::optional<double> way_on(const Vec3& from, const Vec3& direction,
+                               const std::optional<SurfaceHit>& seen) const;
   bool is_inner(const Vec3& from, const SurfaceHit& hit) const;
 
   RefinementInput input_;

@@ -47,7 +47,7 @@ bool are_alike(const SeenWalls& a, const SeenWalls& b) {
 
 }  // namespace
 
-TEST_CASE("What is seen from nearby of a flat wall is what a ray would meet", "[probe]") {
+TEST_CASE("surface probe: a flat wall seen from nearby is where a ray would meet it", "[probe]") {
   const BoxProbe box;
   SeenWalls seen, anew;
   const Vec3 along = box.along();
@@ -66,7 +66,7 @@ TEST_CASE("What is seen from nearby of a flat wall is what a ray would meet", "[
   }
 }
 
-TEST_CASE("What was seen from farther away is looked at again", "[probe]") {
+TEST_CASE("surface probe: what was seen from farther away is looked at again", "[probe]") {
   const BoxProbe box;
   SeenWalls seen, anew;
   const Vec3 along = box.along();
